@@ -1,0 +1,12 @@
+# Every dependency is a Debian 12 package (see install-deps.sh); nothing is downloaded here.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(PNG REQUIRED)

@@ -1,0 +1,101 @@
+#include "LosTopos/mesh/measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace lostopos {
+
+std::array<Vec3, 3> corners(const SurfaceMesh& mesh, Triangle t) {
+  const auto& v = mesh.vertices(t);
+  return {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+}
+
+Vec3 area_vector(const SurfaceMesh& mesh, Triangle t) {
+  const auto [a, b, c] = corners(mesh, t);
+  return 0.5 * (b - a).cross(c - a);
+}
+
+double area(const SurfaceMesh& mesh, Triangle t) {
+  return area_vector(mesh, t).norm();
+}
+
+Vec3 barycentre(const SurfaceMesh& mesh, Triangle t) {
+  const auto [a, b, c] = corners(mesh, t);
+  return (a + b + c) / 3.0;
+}
+
+double length(const SurfaceMesh& mesh, Edge e) {
+  const auto& v = mesh.vertices(e);
+  return (mesh.position(v[1]) - mesh.position(v[0])).norm();
+}
+
+double mean_edge_length(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (Edge e : mesh.edges()) sum += length(mesh, e);
+  return mesh.edge_count() == 0 ? 0 : sum / static_cast<double>(mesh.edge_count());
+}
+
+double total_area(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (Triangle t : mesh.triangles()) sum += area(mesh, t);
+  return sum;
+}
+
+Vec3 surface_centroid(const SurfaceMesh& mesh) {
+  // Relative to one of the vertices: a surface far from the origin keeps its digits.
+  Vec3 origin = Vec3::Zero(), moment = Vec3::Zero();
+  double sum = 0;
+  bool first = true;
+  for (Triangle t : mesh.triangles()) {
+    if (first) origin = mesh.position(mesh.vertices(t)[0]);
+    first = false;
+    const double a = area(mesh, t);
+    sum += a;
+    moment += a * (barycentre(mesh, t) - origin);
+  }
+  return sum > 0 ? Vec3(origin + moment / sum) : origin;
+}
+
+std::vector<Region> regions(const SurfaceMesh& mesh) {
+  std::vector<Region> found;
+  found.reserve(2 * mesh.triangle_count());
+  for (Triangle t : mesh.triangles()) {
+    found.push_back(mesh.labels(t).p);
+    found.push_back(mesh.labels(t).q);
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+std::vector<RegionVolume> region_volumes(const SurfaceMesh& mesh) {
+  std::vector<RegionVolume> volumes;
+  for (Region r : regions(mesh)) volumes.push_back({r, 0.0});
+  auto volume_of = [&volumes](Region r) -> double& {
+    return std::ranges::lower_bound(volumes, r, {}, &RegionVolume::region)->volume;
+  };
+  const Vec3 origin = surface_centroid(mesh);
+  for (Triangle t : mesh.triangles()) {
+    const auto [a, b, c] = corners(mesh, t);
+    const double tetrahedron = (a - origin).dot((b - origin).cross(c - origin)) / 6.0;
+    volume_of(mesh.labels(t).p) += tetrahedron;
+    volume_of(mesh.labels(t).q) -= tetrahedron;
+  }
+  return volumes;
+}
+
+long euler_characteristic(const SurfaceMesh& mesh) {
+  return static_cast<long>(mesh.vertex_count()) - static_cast<long>(mesh.edge_count()) +
+         static_cast<long>(mesh.triangle_count());
+}
+
+std::size_t open_edge_count(const SurfaceMesh& mesh) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(mesh.edges(), [&](Edge e) { return mesh.triangles(e).size() == 1; }));
+}
+
+std::size_t junction_edge_count(const SurfaceMesh& mesh) {
+  return static_cast<std::size_t>(std::ranges::count_if(mesh.edges(), [&](Edge e) { return mesh.is_junction(e); }));
+}
+
+}  // namespace lostopos

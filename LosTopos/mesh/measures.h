@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "LosTopos/mesh/surface_mesh.h"
+
+namespace lostopos {
+
+/// Corner positions of t in the order of its vertices.
+std::array<Vec3, 3> corners(const SurfaceMesh& mesh, Triangle t);
+/// Half the cross product of two sides: the right-hand normal times the area (L²).
+Vec3 area_vector(const SurfaceMesh& mesh, Triangle t);
+double area(const SurfaceMesh& mesh, Triangle t);
+Vec3 barycentre(const SurfaceMesh& mesh, Triangle t);
+double length(const SurfaceMesh& mesh, Edge e);
+
+/// Mean length of all edges (L); 0 for a mesh without edges.
+double mean_edge_length(const SurfaceMesh& mesh);
+/// Sum of the areas of all triangles (L²).
+double total_area(const SurfaceMesh& mesh);
+/// Area-weighted centre of all triangles (L); zero for an empty mesh.
+Vec3 surface_centroid(const SurfaceMesh& mesh);
+
+struct RegionVolume {
+  Region region;
+  double volume;  ///< L³; the air's is minus the sum of the others' for a closed surface
+};
+/// Volume enclosed by each region's boundary by the divergence theorem, sorted by region, the air included. Summed
+/// relative to the surface's centroid, so that a distant origin costs no digits. Cost and memory grow with the
+/// triangles, not with the largest label.
+std::vector<RegionVolume> region_volumes(const SurfaceMesh& mesh);
+
+/// The regions in use, ascending.
+std::vector<Region> regions(const SurfaceMesh& mesh);
+
+/// Vertices − edges + triangles of the whole complex.
+long euler_characteristic(const SurfaceMesh& mesh);
+
+/// Edges that only one triangle uses: the surface ends there.
+std::size_t open_edge_count(const SurfaceMesh& mesh);
+std::size_t junction_edge_count(const SurfaceMesh& mesh);
+
+}  // namespace lostopos

@@ -1,0 +1,132 @@
+// Copies, checkpoints, compaction and memory of the mesh: everything that treats its arrays as a whole.
+#include <algorithm>
+#include <string>
+
+#include "LosTopos/error.h"
+#include "LosTopos/mesh/surface_mesh.h"
+
+namespace lostopos {
+namespace {
+
+std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& old_slot_of_new, std::size_t old_slots) {
+  std::vector<std::uint32_t> new_slot_of_old(old_slots, Vertex::invalid_index);
+  for (std::uint32_t i = 0; i < old_slot_of_new.size(); ++i) new_slot_of_old[old_slot_of_new[i]] = i;
+  return new_slot_of_old;
+}
+
+template <class T>
+void gather(std::vector<T>& values, const std::vector<std::uint32_t>& old_slot_of_new) {
+  std::vector<T> kept;
+  kept.reserve(old_slot_of_new.size());
+  for (std::uint32_t old : old_slot_of_new) kept.push_back(std::move(values[old]));
+  values = std::move(kept);
+}
+
+template <class Lists>
+void renumber(Lists& lists, const std::vector<std::uint32_t>& new_slot_of_old) {
+  for (auto& list : lists) {
+    for (auto& element : list) element = std::remove_reference_t<decltype(element)>(new_slot_of_old[element.index()]);
+    if constexpr (requires { list.shrink_to_fit(); }) list.shrink_to_fit();
+  }
+}
+
+template <class T>
+std::size_t array_bytes(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+// Lists too long for their inline storage own a block on the heap.
+template <class List>
+std::size_t list_bytes(const std::vector<List>& lists) {
+  std::size_t bytes = array_bytes(lists);
+  for (const List& list : lists)
+    if (list.capacity() > List::static_capacity) bytes += list.capacity() * sizeof(typename List::value_type);
+  return bytes;
+}
+
+template <class Lists, class Alive>
+void require_lists_point_to(const Lists& lists, const std::vector<char>& owners, Alive alive, const char* what) {
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    if (!owners[i]) continue;
+    for (auto element : lists[i])
+      if (!alive(element))
+        throw MeshError(std::string("mesh state: ") + what + " " + std::to_string(i) + " refers to element " +
+                        std::to_string(element.index()) + ", which does not exist");
+  }
+}
+
+}  // namespace
+
+SurfaceMesh SurfaceMesh::clone() const {
+  return from_state(state());
+}
+
+SurfaceMesh::State SurfaceMesh::state() const {
+  return {vertices_,      edges_,          triangles_,         positions_,      vertex_edges_, vertex_triangles_,
+          edge_vertices_, edge_triangles_, triangle_vertices_, triangle_edges_, labels_};
+}
+
+SurfaceMesh SurfaceMesh::from_state(const State& s) {
+  const std::size_t nv = s.vertices.slots(), ne = s.edges.slots(), nt = s.triangles.slots();
+  if (s.positions.size() != nv || s.vertex_edges.size() != nv || s.vertex_triangles.size() != nv ||
+      s.edge_vertices.size() != ne || s.edge_triangles.size() != ne || s.triangle_vertices.size() != nt ||
+      s.triangle_edges.size() != nt || s.labels.size() != nt)
+    throw MeshError("mesh state: its arrays differ in length");
+  SurfaceMesh mesh;
+  mesh.vertices_ = s.vertices;
+  mesh.edges_ = s.edges;
+  mesh.triangles_ = s.triangles;
+  auto lives = [&mesh](auto element) { return mesh.alive(element); };
+  require_lists_point_to(s.vertex_edges, s.vertices.alive(), lives, "vertex");
+  require_lists_point_to(s.vertex_triangles, s.vertices.alive(), lives, "vertex");
+  require_lists_point_to(s.edge_vertices, s.edges.alive(), lives, "edge");
+  require_lists_point_to(s.edge_triangles, s.edges.alive(), lives, "edge");
+  require_lists_point_to(s.triangle_vertices, s.triangles.alive(), lives, "triangle");
+  require_lists_point_to(s.triangle_edges, s.triangles.alive(), lives, "triangle");
+  mesh.positions_ = s.positions;
+  mesh.vertex_edges_ = s.vertex_edges;
+  mesh.vertex_triangles_ = s.vertex_triangles;
+  mesh.edge_vertices_ = s.edge_vertices;
+  mesh.edge_triangles_ = s.edge_triangles;
+  mesh.triangle_vertices_ = s.triangle_vertices;
+  mesh.triangle_edges_ = s.triangle_edges;
+  mesh.labels_ = s.labels;
+  mesh.vertex_attributes_->resize(nv);
+  mesh.edge_attributes_->resize(ne);
+  mesh.triangle_attributes_->resize(nt);
+  return mesh;
+}
+
+void SurfaceMesh::compact() {
+  const std::size_t nv = vertices_.slots(), ne = edges_.slots(), nt = triangles_.slots();
+  const auto old_vertex = vertices_.compact(), old_edge = edges_.compact(), old_triangle = triangles_.compact();
+  const auto new_vertex = inverse(old_vertex, nv), new_edge = inverse(old_edge, ne),
+             new_triangle = inverse(old_triangle, nt);
+  gather(positions_, old_vertex);
+  gather(vertex_edges_, old_vertex);
+  gather(vertex_triangles_, old_vertex);
+  gather(edge_vertices_, old_edge);
+  gather(edge_triangles_, old_edge);
+  gather(triangle_vertices_, old_triangle);
+  gather(triangle_edges_, old_triangle);
+  gather(labels_, old_triangle);
+  renumber(vertex_edges_, new_edge);
+  renumber(vertex_triangles_, new_triangle);
+  renumber(edge_vertices_, new_vertex);
+  renumber(edge_triangles_, new_triangle);
+  renumber(triangle_vertices_, new_vertex);
+  renumber(triangle_edges_, new_edge);
+  vertex_attributes_->gather(old_vertex);
+  edge_attributes_->gather(old_edge);
+  triangle_attributes_->gather(old_triangle);
+}
+
+std::size_t SurfaceMesh::memory_bytes() const {
+  return vertices_.memory_bytes() + edges_.memory_bytes() + triangles_.memory_bytes() + array_bytes(positions_) +
+         list_bytes(vertex_edges_) + list_bytes(vertex_triangles_) + array_bytes(edge_vertices_) +
+         list_bytes(edge_triangles_) + array_bytes(triangle_vertices_) + array_bytes(triangle_edges_) +
+         array_bytes(labels_) + vertex_attributes_->memory_bytes() + edge_attributes_->memory_bytes() +
+         triangle_attributes_->memory_bytes();
+}
+
+}  // namespace lostopos

@@ -1,0 +1,98 @@
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "FoamSim/app/commands.h"
+#include "FoamSim/app/pictures.h"
+#include "FoamSim/app/scene_arguments.h"
+#include "FoamSim/app/session.h"
+#include "FoamSim/render/compose.h"
+#include "FoamSim/render/png.h"
+#include "FoamSim/run/compare.h"
+#include "LosTopos/error.h"
+
+namespace foamsim::app {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::vector<std::string> areas{"naive", "constant-edge", "averaged"};
+  bool no_pictures = false;
+};
+
+std::string degrees(const std::optional<double>& angle) {
+  char text[32] = "-";
+  if (angle) std::snprintf(text, sizeof(text), "%.2f", *angle);
+  return text;
+}
+
+void print_table(const std::vector<ComparedRun>& runs) {
+  std::printf("\n%-14s %12s %12s %14s %10s %9s %8s  %s\n", "strategy", "outer angle", "RMS dev.", "centroid drift",
+              "energy", "volume", "seconds", "ended");
+  std::printf("%-14s %12s %12s %14s %10s %9s %8s\n", "", "degrees", "degrees", "L", "L^5/T^2", "drift", "");
+  for (const ComparedRun& run : runs) {
+    const Metrics& m = run.outcome.last;
+    std::printf("%-14s %12s %12s %14.5f %10.4f %8.2f%% %8.1f  %s at time %g\n", run.area.c_str(),
+                degrees(m.angle_outer_mean_deg).c_str(), degrees(m.angle_rms_deg).c_str(), run.centroid_drift(),
+                m.energy, 100 * m.volume_drift_max, run.outcome.wall_seconds,
+                std::string(name(run.outcome.end)).c_str(), m.time);
+  }
+}
+
+// A row a strategy: the surface at the start, half way and at the end, all seen by one camera.
+void draw_sheet(const std::vector<ComparedRun>& runs, const std::filesystem::path& file) {
+  std::vector<render::Surface> surfaces;
+  for (const ComparedRun& run : runs) {
+    std::vector<std::filesystem::path> frames;
+    for (const auto& entry : std::filesystem::directory_iterator(run.outcome.directory / "frames"))
+      frames.push_back(entry.path());
+    std::ranges::sort(frames);
+    for (const auto& frame : {frames.front(), frames[frames.size() / 2], frames.back()})
+      surfaces.push_back(read_frame(frame));
+  }
+  render::RenderOptions options;
+  options.width = 560;
+  options.height = 420;
+  const auto images = draw_together(surfaces, options, render::FramingOptions().direction);
+  render::write_png(render::grid(images, {.columns = 3, .gap = 6}), file);
+}
+
+int compare(const Arguments& arguments, const std::string& command) {
+  const SceneArguments& given = arguments.scene;
+  if (given.scene.empty()) throw lostopos::InputError("compare needs a scene (see 'foamsim scenes')");
+  const Scene scene = given.load();
+  RunSettings settings{given.out, given.force, {}, given.stop(), command};
+  if (settings.out.empty()) settings.out = std::filesystem::path("out") / ("compare-" + scene.name);
+  const ThreadLimit limit(given.threads);
+  const InterruptGuard guard;
+  std::unique_ptr<Progress> progress;
+  const auto runs = compare_areas(scene, arguments.areas, settings, [&](const std::string& area) {
+    progress = std::make_unique<Progress>(area, given.quiet);
+    return hooks_for(*progress);
+  });
+  progress.reset();
+  if (!given.quiet) print_table(runs);
+  if (runs.back().outcome.end == RunEnd::interrupted) return exit_interrupted;
+  if (!arguments.no_pictures) {
+    draw_sheet(runs, settings.out / "compare.png");
+    if (!run_plot_script("plot_compare.py", settings.out))
+      spdlog::warn("no plot: it needs python3 with matplotlib and plots/plot_compare.py");
+  }
+  if (!given.quiet) std::printf("\noutput in %s\n", settings.out.c_str());
+  const bool failed = std::ranges::any_of(runs, [](const auto& run) { return run.outcome.end == RunEnd::failed; });
+  return failed ? exit_simulation_failed : exit_done;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("compare", "run a scene with each area strategy: table, plot, pictures");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->scene.add_to(*command, false);
+  command->add_option("--areas", arguments->areas, "strategies to compare, separated by commas")->delimiter(',');
+  command->add_flag("--no-pictures", arguments->no_pictures, "table only");
+  command->callback([arguments, &program] { program.exit_code = compare(*arguments, program.command_line); });
+}
+
+}  // namespace foamsim::app

@@ -1,0 +1,22 @@
+#include <cstdio>
+#include <memory>
+
+#include "FoamSim/app/commands.h"
+#include "LosTopos/io/mesh_file.h"
+
+namespace foamsim::app {
+
+void add_convert_command(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("convert", "convert a mesh file; the endings say the formats");
+  auto in = std::make_shared<std::string>(), out = std::make_shared<std::string>();
+  command->add_option("in", *in, "file to read (" + lostopos::mesh_extensions() + ")")->required();
+  command->add_option("out", *out, "file to write")->required();
+  command->callback([in, out, &program] {
+    const lostopos::SurfaceData data = lostopos::read_surface(*in);
+    lostopos::write_surface(*out, data);
+    std::printf("%s: %zu vertices, %zu triangles\n", out->c_str(), data.positions.size(), data.triangles.size());
+    program.exit_code = exit_done;
+  });
+}
+
+}  // namespace foamsim::app

@@ -1,0 +1,79 @@
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "FoamSim/app/commands.h"
+#include "FoamSim/metrics/junction_angles.h"
+#include "FoamSim/metrics/metrics.h"
+#include "LosTopos/io/mesh_file.h"
+#include "LosTopos/mesh/audit.h"
+
+namespace foamsim::app {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json inspect(const std::string& file) {
+  const lostopos::SurfaceMesh mesh = lostopos::to_mesh(lostopos::read_surface(file));
+  const JunctionAngles angles = junction_angles(mesh);
+  const lostopos::AuditReport audit = lostopos::audit(mesh);
+  ordered_json volumes = ordered_json::object();
+  for (const auto& [region, volume] : lostopos::region_volumes(mesh)) volumes[std::to_string(region.index())] = volume;
+  ordered_json findings = ordered_json::array();
+  for (const lostopos::Finding& finding : audit.findings)
+    findings.push_back(std::string(name(finding.defect)) + ": " + finding.message);
+  const lostopos::Vec3 centroid = lostopos::surface_centroid(mesh);
+  ordered_json report{{"file", file},
+                      {"vertices", mesh.vertex_count()},
+                      {"edges", mesh.edge_count()},
+                      {"triangles", mesh.triangle_count()},
+                      {"euler_characteristic", lostopos::euler_characteristic(mesh)},
+                      {"junction_edges", lostopos::junction_edge_count(mesh)},
+                      {"open_edges", lostopos::open_edge_count(mesh)},
+                      {"area", lostopos::total_area(mesh)},
+                      {"mean_edge_length", lostopos::mean_edge_length(mesh)},
+                      {"triangle_angle_min_deg", smallest_triangle_angle(mesh)},
+                      {"centroid", {centroid.x(), centroid.y(), centroid.z()}},
+                      {"volumes", volumes},
+                      {"angle_rms_deg", nullptr},
+                      {"angle_outer_mean_deg", nullptr},
+                      {"audit", audit.clean() ? "clean" : "not clean"},
+                      {"findings", findings}};
+  if (angles.rms_deviation_deg) report["angle_rms_deg"] = *angles.rms_deviation_deg;
+  if (angles.outer_mean_deg) report["angle_outer_mean_deg"] = *angles.outer_mean_deg;
+  return report;
+}
+
+void print(const ordered_json& report) {
+  for (const auto& [key, value] : report.items()) {
+    if (key == "volumes") {
+      for (const auto& [region, volume] : value.items())
+        std::printf("volume of region %-6s %s\n", region.c_str(), volume.dump().c_str());
+    } else if (key == "findings") {
+      for (const auto& finding : value) std::printf("  %s\n", finding.get<std::string>().c_str());
+    } else if (!value.is_null()) {
+      std::printf("%-23s %s\n", key.c_str(), (value.is_string() ? value.get<std::string>() : value.dump()).c_str());
+    }
+  }
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("inspect", "counts, areas, volumes, angles and an audit of a mesh file");
+  auto file = std::make_shared<std::string>();
+  auto as_json = std::make_shared<bool>(false);
+  command->add_option("file", *file, "mesh file (" + lostopos::mesh_extensions() + ")")->required();
+  command->add_flag("--json", *as_json, "as JSON");
+  command->callback([file, as_json, &program] {
+    const ordered_json report = inspect(*file);
+    if (*as_json)
+      std::printf("%s\n", report.dump(2).c_str());
+    else
+      print(report);
+    program.exit_code = exit_done;
+  });
+}
+
+}  // namespace foamsim::app

@@ -1,0 +1,69 @@
+#include "FoamSim/app/pictures.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <string>
+
+#include "LosTopos/error.h"
+#include "LosTopos/io/mesh_file.h"
+
+namespace foamsim::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Beside an installed program, or in the source tree it was built from.
+fs::path find_script(const std::string& script) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const fs::path& folder : {program / "../share/foamsim/plots", fs::path(FOAMSIM_PLOTS_DIR)})
+    if (fs::exists(folder / script)) return folder / script;
+  return {};
+}
+
+bool succeeds(std::vector<std::string> words) {
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return false;
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+render::Surface read_frame(const fs::path& file) {
+  const lostopos::SurfaceData data = lostopos::read_surface(file);
+  render::Surface surface;
+  surface.positions = data.positions;
+  surface.triangles = data.triangles;
+  for (const lostopos::Labels& pq : data.labels)
+    surface.labels.push_back({static_cast<std::int32_t>(pq.p.index()), static_cast<std::int32_t>(pq.q.index())});
+  return surface;
+}
+
+std::vector<render::Image> draw_together(const std::vector<render::Surface>& surfaces,
+                                         const render::RenderOptions& options, const Eigen::Vector3d& direction) {
+  render::FramingOptions framing;
+  framing.direction = direction;
+  framing.aspect = static_cast<double>(options.width) / options.height;
+  const render::Camera camera = render::framing(surfaces, framing);
+  std::vector<render::Image> images;
+  for (const render::Surface& surface : surfaces) images.push_back(render::render(surface, camera, options));
+  return images;
+}
+
+bool run_plot_script(const std::string& script, const fs::path& folder) {
+  const fs::path file = find_script(script);
+  if (file.empty()) return false;
+  // Debian's matplotlib belongs to /usr/bin/python3, which need not be the first python3 on the path.
+  for (const char* python : {"/usr/bin/python3", "python3"})
+    if (succeeds({python, "-c", "import matplotlib"})) return succeeds({python, file.string(), folder.string()});
+  return false;
+}
+
+}  // namespace foamsim::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "FoamSim/render/camera.h"
+#include "FoamSim/render/render.h"
+
+namespace foamsim::app {
+
+/// Reads a frame (any mesh format) as a surface to draw. Throws lostopos::InputError.
+render::Surface read_frame(const std::filesystem::path& file);
+
+/// Draws all surfaces with one camera that shows all of them, seen from `direction`.
+std::vector<render::Image> draw_together(const std::vector<render::Surface>& surfaces,
+                                         const render::RenderOptions& options, const Eigen::Vector3d& direction);
+
+/// Runs one of the project's plot scripts on the CSV files of `folder`. False when no Python with matplotlib or no
+/// script is found; `script` is its file name.
+bool run_plot_script(const std::string& script, const std::filesystem::path& folder);
+
+}  // namespace foamsim::app

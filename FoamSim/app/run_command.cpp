@@ -1,0 +1,88 @@
+#include <cstdio>
+#include <memory>
+
+#include "FoamSim/app/commands.h"
+#include "FoamSim/app/scene_arguments.h"
+#include "FoamSim/app/session.h"
+#include "LosTopos/error.h"
+
+namespace foamsim::app {
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::string resume;
+};
+
+void print_summary(const RunOutcome& outcome) {
+  const Metrics& m = outcome.last;
+  std::printf("%s after step %ld (time %g): %zu triangles, area %.6g, energy %.6g, largest volume drift %.2e\n",
+              std::string(name(outcome.end)).c_str(), m.step, m.time, m.triangles, m.area, m.energy,
+              m.volume_drift_max);
+  if (m.angle_rms_deg) std::printf("junction angles: RMS deviation from 120 degrees %.3f", *m.angle_rms_deg);
+  if (m.angle_outer_mean_deg) std::printf(", mean outer angle %.3f degrees", *m.angle_outer_mean_deg);
+  if (m.angle_rms_deg) std::printf("\n");
+  if (!outcome.message.empty()) std::printf("%s\n", outcome.message.c_str());
+  std::printf("output in %s, %.1f s\n", outcome.directory.c_str(), outcome.wall_seconds);
+}
+
+void print_stages(const RunOutcome& outcome) {
+  const double total = outcome.times.total();
+  const double steps = static_cast<double>(std::max(1L, outcome.last.step - outcome.first_step));
+  std::printf("%-18s %10s %10s %7s\n", "stage", "seconds", "ms a step", "share");
+  for (const auto& [stage, seconds] : outcome.times.stages())
+    std::printf("%-18s %10.3f %10.3f %6.1f%%\n", stage.c_str(), seconds, 1e3 * seconds / steps, 100 * seconds / total);
+}
+
+void print_active(const Scene& scene) {
+  std::string effects;
+  for (const std::string& effect : scene.options.words("effects")) effects += (effects.empty() ? "" : ", ") + effect;
+  std::printf("scene %s; effects: %s\n", scene.name.c_str(), effects.empty() ? "none" : effects.c_str());
+  for (const OptionSpec& spec : scene.options.specs())
+    if (scene.options.is_set(spec.key))
+      std::printf("  %s = %s\n", spec.key.c_str(), to_text(scene.options.value(spec.key)).c_str());
+}
+
+int exit_code_of(const RunOutcome& outcome) {
+  if (outcome.end == RunEnd::interrupted) return exit_interrupted;
+  if (outcome.end == RunEnd::failed) return exit_simulation_failed;
+  return exit_done;
+}
+
+int run(const Arguments& arguments, const std::string& command) {
+  const SceneArguments& given = arguments.scene;
+  if (given.scene.empty() && arguments.resume.empty())
+    throw lostopos::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
+  RunSettings settings{given.out, given.force, arguments.resume, given.stop(), command};
+  const bool resuming = !arguments.resume.empty();
+  if (resuming && (!given.scene.empty() || !given.assignments.empty() || !given.area.empty() || given.seed))
+    throw lostopos::InputError(
+        "--resume goes on with the scene of the checkpoint; leave out the scene and its options");
+  const Scene scene = resuming ? built_in_scene("sphere") : given.load();
+  if (settings.out.empty() && !resuming) settings.out = std::filesystem::path("out") / scene.name;
+  const ThreadLimit limit(given.threads);
+  if (given.explain && !resuming) print_active(scene);
+  const InterruptGuard guard;
+  const RunOutcome outcome = [&] {
+    Progress progress(resuming ? "resumed" : scene.name, given.quiet);
+    return run_scene(scene, settings, hooks_for(progress));
+  }();
+  if (outcome.end == RunEnd::failed)
+    std::fprintf(stderr, "foamsim: the simulation cannot go on: %s\nfoamsim: the last good state is %s\n",
+                 outcome.message.c_str(), outcome.last_frame.c_str());
+  if (!given.quiet) print_summary(outcome);
+  if (given.explain) print_stages(outcome);
+  return exit_code_of(outcome);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("run", "simulate a scene");
+  auto arguments = std::make_shared<Arguments>();
+  arguments->scene.add_to(*command, true);
+  command->add_option("--resume", arguments->resume, "go on from this checkpoint.cbor");
+  command->callback([arguments, &program] { program.exit_code = run(*arguments, program.command_line); });
+}
+
+}  // namespace foamsim::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "FoamSim/run/run.h"
+
+namespace foamsim::app {
+
+/// The arguments by which a user names a scene, changes its options and says how far it runs.
+struct SceneArguments {
+  std::string scene;
+  std::vector<std::string> assignments;  // key=value
+  std::string area, out;
+  std::optional<double> time;
+  std::optional<long> steps, seed;
+  bool until_rest = false, force = false, quiet = false, explain = false;
+  int threads = 0;
+
+  /// `with_area`: also take --area.
+  void add_to(CLI::App& command, bool with_area);
+  /// The scene with all of it applied; validated.
+  Scene load() const;
+  StopAt stop() const;
+};
+
+}  // namespace foamsim::app

@@ -1,0 +1,99 @@
+#include "FoamSim/dynamics/simulation.h"
+
+#include "FoamSim/metrics/energy.h"
+#include "FoamSim/metrics/region_constants.h"
+#include "LosTopos/error.h"
+#include "LosTopos/mesh/measures.h"
+
+namespace foamsim {
+
+using lostopos::SurfaceMesh;
+using lostopos::Vec3;
+
+namespace {
+
+void require_usable(const SurfaceMesh& mesh, const SimulationOptions& options) {
+  if (mesh.triangle_count() == 0)
+    throw lostopos::InputError("the start mesh has no triangles; a film needs at least one");
+  if (!(options.dt > 0)) throw lostopos::InputError("dt has to be > 0");
+  if (options.delta < 0 || options.resolution < 0) throw lostopos::InputError("delta and resolution have to be >= 0");
+}
+
+}  // namespace
+
+double resolved_resolution(const SimulationOptions& options, const SurfaceMesh& mesh) {
+  return options.resolution > 0 ? options.resolution : lostopos::mean_edge_length(mesh);
+}
+
+Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects)
+    : options_(options),
+      tracker_((require_usable(mesh, options), std::move(mesh))),
+      circulation_(tracker_.mesh()),
+      effects_(std::move(effects)),
+      velocity_(make_biot_savart("direct")),
+      resolution_(resolved_resolution(options, tracker_.mesh())),
+      delta_(options.delta > 0 ? options.delta : 0.75 * resolution_) {
+  geometry_.update(tracker_.mesh());
+}
+
+StepReport Simulation::step() {
+  StepReport report;
+  const long evaluations_before = velocity_.evaluations();
+  const std::vector<double> before = gather_circulation();
+  apply_effects(report.times);
+  {
+    const StageTimer timer(report.times, "velocity");
+    const std::vector<double> after = gather_circulation();
+    const auto positions = tracker_.mesh().positions();
+    const VelocityFunction velocity_at = [this](std::span<const Vec3> x, std::span<Vec3> u) {
+      velocity_.evaluate(sheet_, x, x, delta_, u);
+    };
+    velocities_.resize(positions.size());
+    velocity_at(positions, velocities_);
+    measure(before, after, report);
+    integrate(options_.integrator, options_.dt, positions, velocities_, velocity_at, predicted_);
+  }
+  {
+    const StageTimer timer(report.times, "move");
+    tracker_.advance(predicted_);
+  }
+  {
+    const StageTimer timer(report.times, "geometry");
+    geometry_.update(tracker_.mesh());
+  }
+  ++steps_;
+  report.velocity_evaluations = velocity_.evaluations() - evaluations_before;
+  return report;
+}
+
+void Simulation::apply_effects(StageTimes& times) {
+  const EffectStep step{tracker_.mesh(), geometry_, time(), options_.dt};
+  for (const auto& effect : effects_) {
+    const StageTimer timer(times, effect->name());
+    effect->update_circulation(step, circulation_);
+  }
+}
+
+std::vector<double> Simulation::gather_circulation() {
+  gather_sheet(tracker_.mesh(), circulation_, sheet_);
+  return circulation_without_region_constants(tracker_.mesh(), sheet_, tracker_.mesh().positions());
+}
+
+void Simulation::measure(std::span<const double> before, std::span<const double> after, StepReport& report) const {
+  const auto positions = tracker_.mesh().positions();
+  report.kinetic_energy = kinetic_energy(before, sheet_, positions, velocities_);
+  report.potential_energy = potential_energy();
+  std::vector<double> middle(before.size());
+  for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = (before[i] + after[i]) / 2;
+  const Impulse impulse = hydrodynamic_impulse(middle, sheet_, positions);
+  report.impulse = impulse.total;
+  report.impulse_scale = impulse.scale;
+}
+
+double Simulation::potential_energy() const {
+  double sum = 0;
+  for (const auto& effect : effects_) sum += effect->potential_energy(geometry_);
+  return sum;
+}
+
+}  // namespace foamsim

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "FoamSim/dynamics/integrator.h"
+#include "FoamSim/effects/effect.h"
+#include "FoamSim/metrics/stage_times.h"
+#include "FoamSim/sheet/sheet_velocity.h"
+#include "FoamSim/sheet/surface_geometry.h"
+#include "LosTopos/surface_tracker.h"
+
+namespace foamsim {
+
+struct SimulationOptions {
+  double dt = 0.01;       ///< length of a step, T, > 0
+  double delta = 0;       ///< Biot–Savart regularisation δ, L; 0: 0.75 h̄
+  double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
+  Integrator integrator = Integrator::euler;
+};
+
+/// h̄: options.resolution, or the mean over the mesh's edges where that is 0.
+double resolved_resolution(const SimulationOptions& options, const lostopos::SurfaceMesh& mesh);
+
+/// What one step did.
+struct StepReport {
+  StageTimes times;  ///< wall seconds by stage
+  /// Energies over air density (L⁵/T²) at the start of the step. Circulation is known half a step before (as the step
+  /// found it) and half a step after (as the effects left it); the kinetic energy is the bilinear form of the two,
+  /// −Σ Γ̄_before (u_after·n) area: like the start's positions second-order accurate in dt, and conserved as leap-frog
+  /// conserves it. It can fall below zero by O(dt²) where the air is almost at rest.
+  double kinetic_energy = 0;
+  double potential_energy = 0;
+  /// Hydrodynamic impulse at that instant (mean of before and after), L⁴/T.
+  lostopos::Vec3 impulse = lostopos::Vec3::Zero();
+  double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
+  long velocity_evaluations = 0;
+};
+
+/// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: METHOD "One time step".
+class Simulation {
+ public:
+  /// Starts at rest (Γ = 0), at time 0. Effects act in the order given. Throws lostopos::InputError for a mesh without
+  /// triangles or options out of range.
+  Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options,
+             std::vector<std::unique_ptr<Effect>> effects);
+
+  /// One step of dt: curvature and other effects on Γ, velocity, predicted positions, the tracker's move. Throws
+  /// lostopos::MotionError when the surface cannot be moved; positions are then those before the step.
+  StepReport step();
+
+  const lostopos::SurfaceMesh& mesh() const { return tracker_.mesh(); }
+  const CirculationField& circulation() const { return circulation_; }
+  CirculationField& circulation() { return circulation_; }
+  /// Areas, angles and region lists of the surface as it is now.
+  const SurfaceGeometry& geometry() const { return geometry_; }
+  const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
+  const SimulationOptions& options() const { return options_; }
+  double resolution() const { return resolution_; }
+  double delta() const { return delta_; }
+  long steps() const { return steps_; }
+  double time() const { return static_cast<double>(steps_) * options_.dt; }
+  /// Sum of the effects' potential energies of the surface as it is now.
+  double potential_energy() const;
+  /// Continues the count of steps of an earlier run.
+  void set_steps(long steps) { steps_ = steps; }
+
+ private:
+  void apply_effects(StageTimes& times);
+  // Γ̄ of the sheet's triangles as they are now, without region constants.
+  std::vector<double> gather_circulation();
+  void measure(std::span<const double> before, std::span<const double> after, StepReport& report) const;
+
+  SimulationOptions options_;
+  lostopos::SurfaceTracker tracker_;
+  CirculationField circulation_;
+  std::vector<std::unique_ptr<Effect>> effects_;
+  SheetVelocity velocity_;
+  SurfaceGeometry geometry_;
+  std::vector<SheetTriangle> sheet_;
+  std::vector<lostopos::Vec3> velocities_, predicted_;
+  double resolution_ = 0, delta_ = 0;
+  long steps_ = 0;
+};
+
+}  // namespace foamsim

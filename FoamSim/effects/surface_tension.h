@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "FoamSim/effects/effect.h"
+#include "FoamSim/sheet/curvature.h"
+
+namespace foamsim {
+
+/// Γ_v^{pq} += σ (H_v^p − H_v^q) dt (Da et al. 2015): the pressure jump of curved films drives the air.
+class SurfaceTension final : public Effect {
+ public:
+  /// `sigma`: tension of one film side over density, L³/T², ≥ 0.
+  SurfaceTension(double sigma, std::unique_ptr<CurvatureScheme> scheme) : sigma_(sigma), scheme_(std::move(scheme)) {}
+  std::string_view name() const override { return "surface_tension"; }
+  void update_circulation(const EffectStep& step, CirculationField& circulation) override;
+  /// 4σ times the total area: the jump of the potential is 2Γ, so both sides of a film together pull with 4σ.
+  double potential_energy(const SurfaceGeometry& geometry) const override { return 4 * sigma_ * geometry.total_area(); }
+
+ private:
+  double sigma_;
+  std::unique_ptr<CurvatureScheme> scheme_;
+  CurvatureField curvature_;
+};
+
+}  // namespace foamsim

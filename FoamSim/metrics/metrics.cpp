@@ -1,0 +1,65 @@
+#include "FoamSim/metrics/metrics.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "FoamSim/metrics/junction_angles.h"
+
+namespace foamsim {
+
+using lostopos::RegionVolume;
+using lostopos::Vec3;
+
+double largest_volume_drift(const std::vector<RegionVolume>& now, const std::vector<RegionVolume>& start) {
+  double largest = 0;
+  for (const RegionVolume& before : start) {
+    if (before.region == lostopos::air || before.volume == 0) continue;
+    const auto it = std::ranges::lower_bound(now, before.region, {}, &RegionVolume::region);
+    const double volume = it != now.end() && it->region == before.region ? it->volume : 0.0;
+    largest = std::max(largest, std::abs(volume / before.volume - 1));
+  }
+  return largest;
+}
+
+double smallest_triangle_angle(const lostopos::SurfaceMesh& mesh) {
+  double smallest = std::numbers::pi;
+  for (lostopos::Triangle t : mesh.triangles()) {
+    const auto x = lostopos::corners(mesh, t);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 a = x[(i + 1) % 3] - x[i], b = x[(i + 2) % 3] - x[i];
+      smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    }
+  }
+  return smallest * 180 / std::numbers::pi;
+}
+
+Metrics measure(const Simulation& simulation, const StepReport& report, double step_seconds,
+                const std::vector<RegionVolume>& start_volumes) {
+  const lostopos::SurfaceMesh& mesh = simulation.mesh();
+  const JunctionAngles angles = junction_angles(mesh);
+  Metrics m;
+  m.step = simulation.steps();
+  m.time = simulation.time();
+  m.vertices = mesh.vertex_count();
+  m.triangles = mesh.triangle_count();
+  m.volumes = lostopos::region_volumes(mesh);
+  m.regions = m.volumes.size();
+  m.area = simulation.geometry().total_area();
+  m.kinetic_energy = report.kinetic_energy;
+  m.potential_energy = report.potential_energy;
+  m.energy = m.kinetic_energy + m.potential_energy;
+  m.impulse = report.impulse;
+  m.impulse_scale = report.impulse_scale;
+  m.centroid = lostopos::surface_centroid(mesh);
+  m.angle_rms_deg = angles.rms_deviation_deg;
+  m.angle_outer_mean_deg = angles.outer_mean_deg;
+  m.volume_drift_max = largest_volume_drift(m.volumes, start_volumes);
+  m.triangle_angle_min_deg = smallest_triangle_angle(mesh);
+  m.step_seconds = step_seconds;
+  m.velocity_evaluations = report.velocity_evaluations;
+  return m;
+}
+
+}  // namespace foamsim

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "FoamSim/dynamics/simulation.h"
+#include "LosTopos/mesh/measures.h"
+
+namespace foamsim {
+
+/// One row of metrics.csv: the surface after a step, and what the step reported.
+struct Metrics {
+  long step = 0;
+  double time = 0;  ///< T
+  std::size_t vertices = 0, triangles = 0, regions = 0;
+  double area = 0;    ///< L²
+  double energy = 0;  ///< kinetic + potential at the step's velocity evaluation (StepReport), L⁵/T²
+  double kinetic_energy = 0, potential_energy = 0;
+  lostopos::Vec3 impulse = lostopos::Vec3::Zero();   ///< L⁴/T
+  double impulse_scale = 0;                          ///< Σ|2Γ̄ area|, L⁴/T
+  lostopos::Vec3 centroid = lostopos::Vec3::Zero();  ///< area-weighted over films, L
+  std::optional<double> angle_rms_deg, angle_outer_mean_deg;
+  double volume_drift_max = 0;                  ///< largest |V/V0 − 1| over regions but the air
+  double triangle_angle_min_deg = 0;            ///< smallest corner angle of any triangle
+  long t1_count = 0, snap_count = 0;            ///< since the start
+  double step_seconds = 0;                      ///< wall time of the step
+  long velocity_evaluations = 0;                ///< in the step
+  std::vector<lostopos::RegionVolume> volumes;  ///< L³, for volumes.csv
+};
+
+/// Measures the simulation's surface. `start_volumes`: the regions' volumes at the start of the run, sorted by region.
+Metrics measure(const Simulation& simulation, const StepReport& report, double step_seconds,
+                const std::vector<lostopos::RegionVolume>& start_volumes);
+
+/// Largest |V/V0 − 1| over the regions of both lists but the air; regions that were empty at the start are left out.
+double largest_volume_drift(const std::vector<lostopos::RegionVolume>& now,
+                            const std::vector<lostopos::RegionVolume>& start);
+
+/// Smallest corner angle of all triangles, degrees.
+double smallest_triangle_angle(const lostopos::SurfaceMesh& mesh);
+
+}  // namespace foamsim

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deque>
+
+#include "FoamSim/metrics/metrics.h"
+
+namespace foamsim {
+
+/// Characteristic time √(R³/σ) of a bubble of the mean volume (T); 0 when there is no bubble or no tension.
+double characteristic_time(const std::vector<lostopos::RegionVolume>& volumes, double sigma);
+
+/// Tells when a surface has come to rest: over a whole characteristic time the kinetic energy stays below 1e-6 of the
+/// potential energy, and the RMS deviation of the junction angles changes by less than 0.02°.
+class RestDetector {
+ public:
+  static constexpr double energy_ratio = 1e-6;
+  static constexpr double angle_change_deg = 0.02;
+
+  explicit RestDetector(double window) : window_(window) {}
+  /// Takes the metrics of the next step; true when the surface is at rest.
+  bool add(const Metrics& metrics);
+
+ private:
+  struct Sample {
+    double time, angle;
+  };
+  double window_;
+  std::deque<Sample> quiet_;  // unbroken quiet samples, no older than the window
+};
+
+}  // namespace foamsim

@@ -1,0 +1,86 @@
+#include "FoamSim/output/metrics_csv.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "FoamSim/options/option_value.h"
+
+namespace foamsim {
+namespace {
+
+struct Column {
+  const char* name;
+  std::string (*text)(const Metrics&);
+};
+
+std::string text(double number) {
+  return to_text(number);
+}
+std::string text(long number) {
+  return std::to_string(number);
+}
+std::string text(std::size_t number) {
+  return std::to_string(number);
+}
+std::string text(const std::optional<double>& number) {
+  return number ? to_text(*number) : std::string();
+}
+
+// The first twenty in this order are a promise to readers of the file; more may follow.
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all{
+      {"step", [](const Metrics& m) { return text(m.step); }},
+      {"time", [](const Metrics& m) { return text(m.time); }},
+      {"vertices", [](const Metrics& m) { return text(m.vertices); }},
+      {"triangles", [](const Metrics& m) { return text(m.triangles); }},
+      {"regions", [](const Metrics& m) { return text(m.regions); }},
+      {"area", [](const Metrics& m) { return text(m.area); }},
+      {"energy", [](const Metrics& m) { return text(m.energy); }},
+      {"impulse_x", [](const Metrics& m) { return text(m.impulse.x()); }},
+      {"impulse_y", [](const Metrics& m) { return text(m.impulse.y()); }},
+      {"impulse_z", [](const Metrics& m) { return text(m.impulse.z()); }},
+      {"centroid_x", [](const Metrics& m) { return text(m.centroid.x()); }},
+      {"centroid_y", [](const Metrics& m) { return text(m.centroid.y()); }},
+      {"centroid_z", [](const Metrics& m) { return text(m.centroid.z()); }},
+      {"angle_rms_deg", [](const Metrics& m) { return text(m.angle_rms_deg); }},
+      {"angle_outer_mean_deg", [](const Metrics& m) { return text(m.angle_outer_mean_deg); }},
+      {"volume_drift_max", [](const Metrics& m) { return text(m.volume_drift_max); }},
+      {"triangle_angle_min_deg", [](const Metrics& m) { return text(m.triangle_angle_min_deg); }},
+      {"t1_count", [](const Metrics& m) { return text(m.t1_count); }},
+      {"snap_count", [](const Metrics& m) { return text(m.snap_count); }},
+      {"step_seconds", [](const Metrics& m) { return text(m.step_seconds); }},
+      {"kinetic_energy", [](const Metrics& m) { return text(m.kinetic_energy); }},
+      {"potential_energy", [](const Metrics& m) { return text(m.potential_energy); }},
+      {"impulse_scale", [](const Metrics& m) { return text(m.impulse_scale); }},
+      {"velocity_evaluations", [](const Metrics& m) { return text(m.velocity_evaluations); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string metrics_header() {
+  std::string header;
+  for (const Column& column : columns()) header += (header.empty() ? "" : ",") + std::string(column.name);
+  return header;
+}
+
+std::string metrics_row(const Metrics& metrics) {
+  std::string row;
+  for (const Column& column : columns()) row += (&column == &columns().front() ? "" : ",") + column.text(metrics);
+  return row + "\n";
+}
+
+std::string volumes_header() {
+  return "step,region,volume";
+}
+
+std::string volumes_rows(const Metrics& metrics) {
+  std::string rows;
+  for (const auto& [region, volume] : metrics.volumes)
+    rows += text(metrics.step) + "," + std::to_string(region.index()) + "," + text(volume) + "\n";
+  return rows;
+}
+
+}  // namespace foamsim

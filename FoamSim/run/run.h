@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "FoamSim/metrics/metrics.h"
+#include "FoamSim/scenes/scene.h"
+
+namespace foamsim {
+
+/// How far to run: the first of these that is reached; without steps and until_rest the scene's time.
+struct StopAt {
+  std::optional<double> time;  ///< simulated time, T
+  std::optional<long> steps;   ///< steps in all, counted from the scene's start
+  bool until_rest = false;     ///< see RestDetector; gives up after rest_patience characteristic times
+};
+
+struct RunSettings {
+  std::filesystem::path out;
+  bool force = false;            ///< replace a run that `out` holds
+  std::filesystem::path resume;  ///< go on from this checkpoint; empty: from the scene's start
+  StopAt stop;
+  std::string command;  ///< the command line, for run.json
+};
+
+enum class RunEnd { finished, at_rest, not_at_rest, interrupted, failed };
+std::string_view name(RunEnd end);
+
+struct RunOutcome {
+  RunEnd end = RunEnd::finished;
+  std::string message;  ///< why it failed, or what to know about the end
+  long first_step = 0;
+  Metrics start, last;
+  lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();
+  StageTimes times;
+  double wall_seconds = 0;
+  std::filesystem::path directory, last_frame, checkpoint;
+};
+
+/// What the caller of a run hears and may say while it goes on.
+struct RunHooks {
+  std::function<void(const Metrics&, double fraction_done)> progress;  ///< after every step
+  std::function<bool()> interrupted;                                   ///< asked after every step
+};
+
+/// The options' bound on --until-rest, in characteristic times √(R³/σ) of the mean bubble.
+inline constexpr double rest_patience = 500;
+
+/// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, frames, checkpoint). A simulation that
+/// cannot go on, or an interruption, ends the run with the last good state saved; lostopos::InputError (bad scene,
+/// folder or checkpoint, disk full) is thrown, before anything is written where that is possible.
+RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks = {});
+
+}  // namespace foamsim

@@ -1,0 +1,124 @@
+#include "FoamSim/scenes/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "FoamSim/effects/registry.h"
+#include "FoamSim/names/nearest_name.h"
+#include "FoamSim/scenes/reference_options.h"
+#include "FoamSim/scenes/scene_registry.h"
+#include "FoamSim/scenes/toml_scene.h"
+#include "FoamSim/sheet/vertex_area/registry.h"
+#include "LosTopos/error.h"
+#include "LosTopos/io/mesh_file.h"
+
+namespace foamsim {
+
+using lostopos::InputError;
+using lostopos::SurfaceMesh;
+using lostopos::Vertex;
+
+namespace {
+
+std::vector<OptionSpec> general_option_specs() {
+  return {
+      whole_number("n", 3, 0, "size of the built-in shape (see 'foamsim scenes')"),
+      whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
+      non_negative_number("amplitude", 0.02, "sphere: the mode's amplitude over the radius"),
+      positive_number("dt", 0.01, "length of a step, T"),
+      non_negative_number("time", 4, "simulated time, T"),
+      non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
+      non_negative_number("delta", 0, "Biot-Savart regularisation, L; 0: 0.75 resolution"),
+      {"integrator", std::string("euler"), "euler or rk4", "euler or rk4"},
+      {"effects", std::vector<std::string>{"surface_tension", "diffusion"},
+       "what acts on the films, separated by commas", "names from 'foamsim effects'"},
+      whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
+      whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
+      whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
+      flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
+      whole_number("seed", 0, 0, "seed of everything random"),
+  };
+}
+
+void require_known_names(const OptionSet& options) {
+  for (const std::string& effect : options.words("effects")) find_by_name(effect_entries(), effect, "effect");
+  find_by_name(vertex_area_strategies(), options.word("area"), "area strategy");
+  integrator_by_name(options.word("integrator"));
+}
+
+// `circulation` (may be null) receives what a file of the reference program holds besides the surface.
+SurfaceMesh start_surface(const Scene& scene, lostopos::PairValues* circulation) {
+  if (scene.mesh_file.empty()) return scene_by_name(scene.name).build(scene.options);
+  lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
+  if (circulation != nullptr) *circulation = std::move(data.circulation);
+  return lostopos::to_mesh(data);
+}
+
+}  // namespace
+
+std::vector<OptionSpec> scene_option_specs() {
+  std::vector<OptionSpec> specs = general_option_specs();
+  for (const EffectEntry& effect : effect_entries())
+    specs.insert(specs.end(), effect.options.begin(), effect.options.end());
+  return specs;
+}
+
+Scene built_in_scene(std::string_view name) {
+  const SceneEntry& entry = scene_by_name(name);
+  Scene scene{std::string(entry.name), "", OptionSet(scene_option_specs()), {}};
+  for (const auto& [key, value] : entry.defaults) scene.options.set_default(key, value);
+  return scene;
+}
+
+Scene load_scene(const std::string& what) {
+  const std::filesystem::path path(what);
+  const std::string extension = path.extension().string();
+  if (extension == ".toml") return read_toml_scene(what);
+  if (extension == ".txt") return read_reference_options(what);
+  if (lostopos::find_mesh_format(what) != nullptr)
+    return {path.stem().string(), what, OptionSet(scene_option_specs()), {}};
+  return built_in_scene(what);
+}
+
+void validate(const Scene& scene) {
+  require_known_names(scene.options);
+  const auto& active = scene.options.words("effects");
+  for (const OptionSpec& spec : scene.options.specs()) {
+    if (spec.effect.empty() || !scene.options.is_set(spec.key)) continue;
+    if (std::ranges::find(active, spec.effect) == active.end())
+      throw InputError("option '" + spec.key + "' belongs to the effect '" + spec.effect +
+                       "', which this scene does not use; add it with --set effects+=" + spec.effect);
+  }
+}
+
+SurfaceMesh build_surface(const Scene& scene) {
+  return start_surface(scene, nullptr);
+}
+
+SimulationOptions simulation_options(const OptionSet& options) {
+  return {.dt = options.number("dt"),
+          .delta = options.number("delta"),
+          .resolution = options.number("resolution"),
+          .integrator = integrator_by_name(options.word("integrator"))};
+}
+
+Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution) {
+  validate(scene);
+  SimulationOptions options = simulation_options(scene.options);
+  options.resolution = resolution;
+  return {std::move(surface), options, make_effects(scene.options.words("effects"), {scene.options, resolution})};
+}
+
+Simulation make_simulation(const Scene& scene) {
+  validate(scene);
+  lostopos::PairValues circulation;
+  SurfaceMesh surface = start_surface(scene, &circulation);
+  const double resolution = resolved_resolution(simulation_options(scene.options), surface);
+  Simulation simulation = make_simulation(scene, std::move(surface), resolution);
+  for (std::size_t v = 0; v + 1 < circulation.offsets.size(); ++v)
+    for (const auto& [p, q, value] : circulation.at(v)) simulation.circulation().set(Vertex(v), {p, q}, value);
+  simulation.circulation().match(simulation.mesh());
+  return simulation;
+}
+
+}  // namespace foamsim

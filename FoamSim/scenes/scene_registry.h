@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "FoamSim/options/option_set.h"
+#include "LosTopos/mesh/surface_mesh.h"
+
+namespace foamsim {
+
+/// A built-in scene: how its start surface is made, and which of its options' defaults differ from the general ones.
+struct SceneEntry {
+  std::string_view name;
+  std::string_view summary;
+  std::vector<std::pair<std::string_view, OptionValue>> defaults;
+  std::string_view uses;  ///< what n (and other shape options) mean here
+  lostopos::SurfaceMesh (*build)(const OptionSet&);
+};
+
+/// All built-in scenes. A new one is a shape and an entry in the table.
+const std::vector<SceneEntry>& scene_entries();
+
+/// Throws lostopos::InputError with the nearest name.
+const SceneEntry& scene_by_name(std::string_view name);
+
+}  // namespace foamsim

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "FoamSim/scenes/scene.h"
+
+namespace foamsim {
+
+/// Reads a TOML scene file: `scene = "NAME"` (a built-in shape) or `mesh = "FILE"` (relative to the scene file), and
+/// any option; a table [a] with key b is option a.b. Throws lostopos::InputError with file and line.
+Scene read_toml_scene(const std::string& file);
+
+}  // namespace foamsim

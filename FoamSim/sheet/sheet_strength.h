@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "FoamSim/sheet/biot_savart/vortex_sources.h"
+#include "FoamSim/sheet/circulation.h"
+
+namespace foamsim {
+
+/// A triangle with the circulation at its corners, for its own label order: all that velocity and energy need of Γ.
+struct SheetTriangle {
+  lostopos::Triangle triangle;
+  std::array<lostopos::Vertex, 3> vertices;
+  std::array<double, 3> circulation;  ///< Γ^{pq} at the corners, L²/T
+
+  double mean_circulation() const { return (circulation[0] + circulation[1] + circulation[2]) / 3; }
+};
+
+/// The living triangles in slot order with their circulation; `sheet` is overwritten.
+void gather_sheet(const lostopos::SurfaceMesh& mesh, const CirculationField& circulation,
+                  std::vector<SheetTriangle>& sheet);
+
+/// Sheet strength times area of a triangle with corners x (METHOD "One time step", 3; Da et al. 2015):
+/// γ = −[(x_b − x_a) Γ_c + (x_c − x_b) Γ_a + (x_a − x_c) Γ_b], L³/T.
+lostopos::Vec3 sheet_strength(const std::array<lostopos::Vec3, 3>& x, const std::array<double, 3>& circulation);
+
+/// One point vortex a triangle, at its barycentre, for vertices at `positions` (indexed by vertex handle).
+void fill_vortex_sources(std::span<const SheetTriangle> sheet, std::span<const lostopos::Vec3> positions,
+                         VortexSources& sources);
+
+}  // namespace foamsim

@@ -1,0 +1,134 @@
+#include "FoamSim/sheet/surface_geometry.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "LosTopos/mesh/measures.h"
+
+namespace foamsim {
+
+using lostopos::Edge;
+using lostopos::Labels;
+using lostopos::Region;
+using lostopos::SurfaceMesh;
+using lostopos::Triangle;
+using lostopos::Vec3;
+using lostopos::Vertex;
+
+namespace {
+
+// Calls body(handle) for every living element; each call may write its own slots only.
+template <class H, class Body>
+void for_each_living(const SurfaceMesh& mesh, std::size_t slots, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, slots, 256), [&](const tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      if (const H h(i); mesh.alive(h)) body(h);
+  });
+}
+
+using SortedRegions = boost::container::small_vector<Region, 8>;
+
+SortedRegions regions_of(const SurfaceMesh& mesh, std::span<const Triangle> triangles) {
+  SortedRegions found;
+  auto add = [&found](Region r) {
+    const auto it = std::ranges::lower_bound(found, r);
+    if (it == found.end() || *it != r) found.insert(it, r);
+  };
+  for (Triangle t : triangles) {
+    add(mesh.labels(t).p);
+    add(mesh.labels(t).q);
+  }
+  return found;
+}
+
+void to_offsets(std::vector<std::size_t>& counts_then_offsets) {
+  std::size_t sum = 0;
+  for (std::size_t& entry : counts_then_offsets) {
+    const std::size_t count = entry;
+    entry = sum;
+    sum += count;
+  }
+}
+
+}  // namespace
+
+double signed_dihedral_angle(const SurfaceMesh& mesh, Edge e, Region r, std::span<const Vec3> unit_normals) {
+  // Seen from outside of r, one of its two triangles runs along the edge and the other against it.
+  Vec3 along = Vec3::Zero(), against = Vec3::Zero();
+  int found_along = 0, found_against = 0;
+  for (Triangle t : mesh.triangles(e)) {
+    const Labels labels = mesh.labels(t);
+    if (!labels.has(r)) continue;
+    const bool outward = labels.p == r;
+    const Vec3 normal = outward ? unit_normals[t.index()] : Vec3(-unit_normals[t.index()]);
+    if (mesh.runs_along(t, e) == outward) {
+      along = normal;
+      ++found_along;
+    } else {
+      against = normal;
+      ++found_against;
+    }
+  }
+  if (found_along != 1 || found_against != 1) return 0.0;
+  const auto& ends = mesh.vertices(e);
+  const Vec3 direction = (mesh.position(ends[1]) - mesh.position(ends[0])).normalized();
+  return std::atan2(along.cross(against).dot(direction), along.dot(against));
+}
+
+void SurfaceGeometry::update(const SurfaceMesh& mesh) {
+  list_regions(mesh);
+  measure_triangles(mesh);
+  measure_edges(mesh);
+}
+
+void SurfaceGeometry::list_regions(const SurfaceMesh& mesh) {
+  vertex_begin_.assign(mesh.vertex_slots() + 1, 0);
+  edge_begin_.assign(mesh.edge_slots() + 1, 0);
+  for_each_living<Vertex>(mesh, mesh.vertex_slots(),
+                          [&](Vertex v) { vertex_begin_[v.index()] = regions_of(mesh, mesh.triangles(v)).size(); });
+  for_each_living<Edge>(mesh, mesh.edge_slots(),
+                        [&](Edge e) { edge_begin_[e.index()] = regions_of(mesh, mesh.triangles(e)).size(); });
+  to_offsets(vertex_begin_);
+  to_offsets(edge_begin_);
+  vertex_regions_.resize(vertex_begin_.back());
+  edge_curvatures_.resize(edge_begin_.back());
+  for_each_living<Vertex>(mesh, mesh.vertex_slots(), [&](Vertex v) {
+    std::ranges::copy(regions_of(mesh, mesh.triangles(v)), vertex_regions_.begin() + vertex_begin_[v.index()]);
+  });
+  for_each_living<Edge>(mesh, mesh.edge_slots(), [&](Edge e) {
+    std::size_t i = edge_begin_[e.index()];
+    for (Region r : regions_of(mesh, mesh.triangles(e))) edge_curvatures_[i++] = {r, 0.0};
+  });
+}
+
+void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh) {
+  areas_.assign(mesh.triangle_slots(), 0.0);
+  normals_.resize(mesh.triangle_slots());
+  for_each_living<Triangle>(mesh, mesh.triangle_slots(), [&](Triangle t) {
+    const Vec3 vector = lostopos::area_vector(mesh, t);
+    areas_[t.index()] = vector.norm();
+    normals_[t.index()] = areas_[t.index()] > 0 ? Vec3(vector / areas_[t.index()]) : Vec3(Vec3::Zero());
+  });
+  total_area_ = 0;
+  for (double area : areas_) total_area_ += area;
+}
+
+void SurfaceGeometry::measure_edges(const SurfaceMesh& mesh) {
+  lengths_.assign(mesh.edge_slots(), 0.0);
+  for_each_living<Edge>(mesh, mesh.edge_slots(), [&](Edge e) {
+    lengths_[e.index()] = lostopos::length(mesh, e);
+    for (std::size_t i = edge_begin_[e.index()]; i != edge_begin_[e.index() + 1]; ++i) {
+      RegionEdgeCurvature& entry = edge_curvatures_[i];
+      entry.kappa = lengths_[e.index()] * signed_dihedral_angle(mesh, e, entry.region, normals_);
+    }
+  });
+  double sum = 0;
+  for (double length : lengths_) sum += length;
+  mean_edge_length_ = mesh.edge_count() == 0 ? 0.0 : sum / static_cast<double>(mesh.edge_count());
+}
+
+}  // namespace foamsim

@@ -1,0 +1,101 @@
+#include "FoamSim/render/camera.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "LosTopos/error.h"
+
+namespace foamsim::render {
+namespace {
+
+using Eigen::Vector3d;
+using lostopos::InputError;
+
+double half_tangent(double degrees) {
+  if (!(degrees > 0 && degrees < 170))
+    throw InputError("camera: vertical_fov is " + std::to_string(degrees) + ", must be in (0, 170) degrees");
+  return std::tan(degrees * std::numbers::pi / 360);
+}
+
+// The coordinate axis crossed with the viewing direction gives "up" with that axis horizontal.
+Vector3d level_up(const Vector3d& back) {
+  const Vector3d axis = std::abs(back.x()) < 0.95 ? Vector3d(1, 0, 0) : Vector3d(0, 0, -1);
+  return back.cross(axis);
+}
+
+void check(const FramingOptions& options) {
+  if (!options.direction.allFinite() || options.direction.norm() == 0)
+    throw InputError("framing: direction must be finite and not zero");
+  if (!options.up.allFinite()) throw InputError("framing: up must be finite");
+  if (!(std::isfinite(options.aspect) && options.aspect > 0))
+    throw InputError("framing: aspect must be positive and finite");
+  if (!(options.margin >= 0 && options.margin < 0.9)) throw InputError("framing: margin must be in [0, 0.9)");
+}
+
+template <class F>
+void for_each_vertex(std::span<const Surface> surfaces, F&& f) {
+  for (const Surface& surface : surfaces)
+    for (const Vector3d& x : surface.positions) f(x);
+}
+
+}  // namespace
+
+CameraAxes camera_axes(const Camera& camera) {
+  const double slope = half_tangent(camera.vertical_fov);
+  const Vector3d view = camera.eye - camera.target;
+  if (!view.allFinite() || !camera.up.allFinite()) throw InputError("camera: eye, target and up must be finite");
+  const double distance = view.stableNorm();
+  if (!(distance > 0)) throw InputError("camera: eye and target must not coincide");
+  CameraAxes axes;
+  axes.back = view / distance;
+  const Vector3d right = camera.up.stableNormalized().cross(axes.back);
+  if (!(right.norm() > 1e-6)) throw InputError("camera: up must not be zero or parallel to the viewing direction");
+  axes.right = right.normalized();
+  axes.up = axes.back.cross(axes.right);
+  axes.half_height = slope * distance;
+  return axes;
+}
+
+Camera framing(std::span<const Surface> surfaces, const FramingOptions& options) {
+  check(options);
+  Camera camera;
+  camera.vertical_fov = options.vertical_fov;
+  camera.target.setZero();
+  camera.eye = options.direction.stableNormalized();
+  camera.up = options.up.isZero(0) ? level_up(camera.eye) : options.up;
+  const CameraAxes axes = camera_axes(camera);
+  Eigen::Matrix3d to_view;
+  to_view << axes.right.transpose(), axes.up.transpose(), axes.back.transpose();
+
+  Eigen::AlignedBox3d box;
+  for_each_vertex(surfaces, [&](const Vector3d& x) {
+    if (!x.allFinite()) throw InputError("framing: a vertex position is not finite");
+    box.extend(to_view * x);
+  });
+  if (box.isEmpty()) throw InputError("framing: the surfaces have no vertices");
+
+  // Smallest distance from the box's centre at which every vertex projects inside the margins.
+  const double free = 1 - options.margin;
+  const double slope_y = half_tangent(options.vertical_fov) * free;
+  const double slope_x = slope_y * options.aspect;
+  const Vector3d centre = box.center();
+  double distance = 0;
+  for_each_vertex(surfaces, [&](const Vector3d& x) {
+    const Vector3d p = to_view * x - centre;
+    distance = std::max({distance, std::abs(p.x()) / slope_x + p.z(), std::abs(p.y()) / slope_y + p.z()});
+  });
+  if (!(distance > 0)) distance = 1;  // a single point: any distance shows it
+  camera.target = to_view.transpose() * centre;
+  camera.eye = camera.target + distance * axes.back;
+  camera.up = axes.up;
+  return camera;
+}
+
+Camera framing(const Surface& surface, const FramingOptions& options) {
+  return framing(std::span(&surface, 1), options);
+}
+
+}  // namespace foamsim::render

@@ -22,6 +22,7 @@ struct Program {
 /// Adds a command to the program; when it is given, its callback sets program.exit_code (or throws lostopos::Error).
 void add_run_command(CLI::App& app, Program& program);
 void add_compare_command(CLI::App& app, Program& program);
+void add_study_command(CLI::App& app, Program& program);
 void add_render_command(CLI::App& app, Program& program);
 void add_inspect_command(CLI::App& app, Program& program);
 void add_convert_command(CLI::App& app, Program& program);

@@ -19,6 +19,7 @@ struct Arguments {
   SceneArguments scene;
   std::vector<std::string> areas{"naive", "constant-edge", "averaged"};
   bool no_pictures = false;
+  std::string show;
 };
 
 std::string degrees(const std::optional<double>& angle) {
@@ -27,17 +28,14 @@ std::string degrees(const std::optional<double>& angle) {
   return text;
 }
 
-void print_table(const std::vector<ComparedRun>& runs) {
+void print_table(const std::vector<ComparisonRow>& rows) {
   std::printf("\n%-14s %12s %12s %14s %10s %9s %8s  %s\n", "strategy", "outer angle", "RMS dev.", "centroid drift",
               "energy", "volume", "seconds", "ended");
   std::printf("%-14s %12s %12s %14s %10s %9s %8s\n", "", "degrees", "degrees", "L", "L^5/T^2", "drift", "");
-  for (const ComparedRun& run : runs) {
-    const Metrics& m = run.outcome.last;
-    std::printf("%-14s %12s %12s %14.5f %10.4f %8.2f%% %8.1f  %s at time %g\n", run.area.c_str(),
-                degrees(m.angle_outer_mean_deg).c_str(), degrees(m.angle_rms_deg).c_str(), run.centroid_drift(),
-                m.energy, 100 * m.volume_drift_max, run.outcome.wall_seconds,
-                std::string(name(run.outcome.end)).c_str(), m.time);
-  }
+  for (const ComparisonRow& row : rows)
+    std::printf("%-14s %12s %12s %14.5f %10.4f %8.2f%% %8.1f  %s at time %g\n", row.area.c_str(),
+                degrees(row.angle_outer_mean_deg).c_str(), degrees(row.angle_rms_deg).c_str(), row.centroid_drift,
+                row.energy, 100 * row.volume_drift_max, row.seconds, row.ended.c_str(), row.time);
 }
 
 // A row a strategy: the surface at the start, half way and at the end, all seen by one camera.
@@ -60,6 +58,10 @@ void draw_sheet(const std::vector<ComparedRun>& runs, const std::filesystem::pat
 
 int compare(const Arguments& arguments, const std::string& command) {
   const SceneArguments& given = arguments.scene;
+  if (!arguments.show.empty()) {
+    print_table(read_comparison(std::filesystem::path(arguments.show) / "compare.csv"));
+    return exit_done;
+  }
   if (given.scene.empty()) throw lostopos::InputError("compare needs a scene (see 'foamsim scenes')");
   const Scene scene = given.load();
   RunSettings settings{given.out, given.force, {}, given.stop(), command};
@@ -72,7 +74,7 @@ int compare(const Arguments& arguments, const std::string& command) {
     return hooks_for(*progress);
   });
   progress.reset();
-  if (!given.quiet) print_table(runs);
+  if (!given.quiet) print_table(read_comparison(settings.out / "compare.csv"));
   if (runs.back().outcome.end == RunEnd::interrupted) return exit_interrupted;
   if (!arguments.no_pictures) {
     draw_sheet(runs, settings.out / "compare.png");
@@ -92,6 +94,7 @@ void add_compare_command(CLI::App& app, Program& program) {
   arguments->scene.add_to(*command, false);
   command->add_option("--areas", arguments->areas, "strategies to compare, separated by commas")->delimiter(',');
   command->add_flag("--no-pictures", arguments->no_pictures, "table only");
+  command->add_option("--show", arguments->show, "print the table of an earlier comparison, in this folder, again");
   command->callback([arguments, &program] { program.exit_code = compare(*arguments, program.command_line); });
 }
 

@@ -1,5 +1,7 @@
 #include "FoamSim/run/compare.h"
 
+#include <fstream>
+
 #include "FoamSim/options/option_value.h"
 #include "LosTopos/error.h"
 #include "LosTopos/io/atomic_file.h"
@@ -7,29 +9,79 @@
 namespace foamsim {
 namespace {
 
+constexpr const char* header =
+    "area,ended,steps,time,triangles,angle_outer_mean_deg,angle_rms_deg,centroid_drift,surface_area,energy,"
+    "volume_drift_max,seconds";
+
 std::string text(const std::optional<double>& value) {
   return value ? to_text(*value) : "";
 }
 
 void write_table(const std::filesystem::path& file, const std::vector<ComparedRun>& runs) {
   lostopos::AtomicFile out(file);
-  out.stream()
-      << "area,ended,steps,time,triangles,angle_outer_mean_deg,angle_rms_deg,centroid_drift,surface_area,energy,"
-         "volume_drift_max,seconds\n";
+  out.stream() << header << '\n';
   for (const ComparedRun& run : runs) {
-    const Metrics& m = run.outcome.last;
-    out.stream() << run.area << ',' << name(run.outcome.end) << ',' << m.step << ',' << to_text(m.time) << ','
-                 << m.triangles << ',' << text(m.angle_outer_mean_deg) << ',' << text(m.angle_rms_deg) << ','
-                 << to_text(run.centroid_drift()) << ',' << to_text(m.area) << ',' << to_text(m.energy) << ','
-                 << to_text(m.volume_drift_max) << ',' << to_text(run.outcome.wall_seconds) << '\n';
+    const ComparisonRow r = summarise(run);
+    out.stream() << r.area << ',' << r.ended << ',' << r.steps << ',' << to_text(r.time) << ',' << r.triangles << ','
+                 << text(r.angle_outer_mean_deg) << ',' << text(r.angle_rms_deg) << ',' << to_text(r.centroid_drift)
+                 << ',' << to_text(r.surface_area) << ',' << to_text(r.energy) << ',' << to_text(r.volume_drift_max)
+                 << ',' << to_text(r.seconds) << '\n';
   }
   out.commit();
 }
 
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (char c : line)
+    if (c == ',')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  return cells;
+}
+
+ComparisonRow parse_row(const std::vector<std::string>& cells) {
+  auto number = [](const std::string& cell) { return std::get<double>(parse_option(cell, 0.0)); };
+  auto whole = [](const std::string& cell) { return std::get<long>(parse_option(cell, 0L)); };
+  auto optional = [&](const std::string& cell) { return cell.empty() ? std::optional<double>() : number(cell); };
+  return {cells[0],         cells[1],           whole(cells[2]),    number(cells[3]),
+          whole(cells[4]),  optional(cells[5]), optional(cells[6]), number(cells[7]),
+          number(cells[8]), number(cells[9]),   number(cells[10]),  number(cells[11])};
+}
+
 }  // namespace
 
-double ComparedRun::centroid_drift() const {
-  return (outcome.last.centroid - outcome.start_centroid).norm();
+ComparisonRow summarise(const ComparedRun& run) {
+  const Metrics& m = run.outcome.last;
+  return {run.area,
+          std::string(name(run.outcome.end)),
+          m.step,
+          m.time,
+          static_cast<long>(m.triangles),
+          m.angle_outer_mean_deg,
+          m.angle_rms_deg,
+          (m.centroid - run.outcome.start_centroid).norm(),
+          m.area,
+          m.energy,
+          m.volume_drift_max,
+          run.outcome.wall_seconds};
+}
+
+std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw lostopos::FileError(file.string() + ": there is no comparison; 'foamsim compare' makes one");
+  std::vector<ComparisonRow> rows;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    const std::vector<std::string> cells = cells_of(line);
+    try {
+      if (cells.size() != cells_of(header).size()) throw lostopos::InputError("a row needs 12 cells");
+      if (number > 1) rows.push_back(parse_row(cells));
+    } catch (const lostopos::InputError& error) {
+      throw lostopos::InputError(file.string() + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+  return rows;
 }
 
 std::vector<ComparedRun> compare_areas(const Scene& scene, const std::vector<std::string>& areas,

@@ -10,9 +10,25 @@ namespace foamsim {
 struct ComparedRun {
   std::string area;
   RunOutcome outcome;
-  /// How far the area-weighted centre of the films has moved since the start, L.
-  double centroid_drift() const;
 };
+
+/// One row of compare.csv.
+struct ComparisonRow {
+  std::string area, ended;
+  long steps = 0;
+  double time = 0;  ///< T
+  long triangles = 0;
+  std::optional<double> angle_outer_mean_deg, angle_rms_deg;
+  double centroid_drift = 0;  ///< how far the area-weighted centre of the films has moved since the start, L
+  double surface_area = 0;    ///< L²
+  double energy = 0;          ///< L⁵/T²
+  double volume_drift_max = 0;
+  double seconds = 0;
+};
+ComparisonRow summarise(const ComparedRun& run);
+
+/// Reads compare.csv. Throws lostopos::InputError when it is missing or malformed.
+std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file);
 
 /// Runs the scene once with each area strategy, into `settings.out`/STRATEGY, and writes `settings.out`/compare.csv.
 /// Stops early when a run is interrupted. `hooks_for` gives each run its hooks. Throws like run_scene.

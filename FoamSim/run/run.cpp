@@ -59,15 +59,15 @@ bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
 
 class Run {
  public:
-  Run(Start start, const RunSettings& settings, const RunHooks& hooks, RunWriter& writer)
+  Run(Start start, const RunSettings& settings, const RunHooks& hooks, RunWriter writer)
       : start_(std::move(start)),
         settings_(settings),
         hooks_(hooks),
-        writer_(writer),
+        writer_(std::move(writer)),
         rest_(characteristic_time(start_.volumes, start_.scene.options.number("sigma"))) {}
 
-  RunOutcome go() {
-    const auto begun = Clock::now();
+  /// The state at the start: the first thing that is written.
+  void begin() {
     outcome_.first_step = start_.simulation.steps();
     outcome_.directory = writer_.directory().path();
     outcome_.start_centroid = start_.centroid;
@@ -75,6 +75,10 @@ class Run {
     none.potential_energy = start_.simulation.potential_energy();
     outcome_.start = outcome_.last = measure(start_.simulation, none, 0, start_.volumes);
     if (settings_.resume.empty()) writer_.write_start(start_.simulation, outcome_.start);
+  }
+
+  RunOutcome go() {
+    const auto begun = Clock::now();
     loop();
     // The last good state, unless the last step has just written it.
     {
@@ -137,7 +141,7 @@ class Run {
   Start start_;
   const RunSettings& settings_;
   const RunHooks& hooks_;
-  RunWriter& writer_;
+  RunWriter writer_;
   RestDetector rest_;
   RunOutcome outcome_;
 };
@@ -155,15 +159,19 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
   const auto folder = settings.out.empty() ? settings.resume.parent_path() : settings.out;
   const bool going_on = resuming && same_folder(folder, settings.resume.parent_path());
   const RunDirectory directory = going_on ? RunDirectory::open(folder) : RunDirectory::create(folder, settings.force);
-  RunWriter writer = [&] {
+  // Until the first frame is written nothing has begun: an error leaves no trace of the run.
+  Run run = [&] {
     try {
-      return RunWriter(directory, start.scene, going_on ? start.simulation.steps() : -1);
+      RunWriter writer(directory, start.scene, going_on ? start.simulation.steps() : -1);
+      Run made(std::move(start), settings, hooks, std::move(writer));
+      made.begin();
+      return made;
     } catch (...) {
       if (!going_on) directory.discard();
       throw;
     }
   }();
-  return Run(std::move(start), settings, hooks, writer).go();
+  return run.go();
 }
 
 }  // namespace foamsim

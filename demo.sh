@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# The main job: a double bubble under the three area strategies. Table on the screen; pictures, plots and ParaView files in
+# out/demo. A second run shows what is there; `./demo.sh --again` computes it anew.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+out=out/demo
+./install-deps.sh
+cmake --preset release >/dev/null
+cmake --build --preset release --target foamsim_program -j "$(nproc)"
+
+if [ "${1:-}" = "--again" ] || [ ! -f "$out/compare.png" ]; then
+  build/bin/foamsim compare assets/scenes/demo.toml --out "$out" --force
+else
+  build/bin/foamsim compare --show "$out"
+fi
+echo "pictures: $out/compare.png   plots: $out/compare_plot.png   ParaView: $out/*/surface.pvd"

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that FoamSim is built, tested and plotted with; does nothing when all are there.
+set -euo pipefail
+
+packages=(
+  # compiler and build
+  g++ cmake ninja-build git
+  # libraries
+  libeigen3-dev libsuitesparse-dev libboost-dev libtbb-dev libhwy-dev libcli11-dev libtomlplusplus-dev
+  nlohmann-json3-dev libspdlog-dev libembree-dev libpng-dev
+  # tests and benchmarks
+  libgtest-dev librapidcheck-dev libbenchmark-dev evolver-nox
+  # plots
+  python3-matplotlib
+  # style
+  clang-format clang-tidy
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  [ "$status" = "install ok installed" ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "install-deps.sh: run as root, or install: ${missing[*]}" >&2; exit 1; }
+  as_root=(sudo)
+fi
+echo "installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -1,0 +1,156 @@
+// What a user gets who mistypes, points at the wrong place, or runs out of disk: one line that says what would be
+// right, exit 2, nothing left behind.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "program.h"
+
+namespace foamsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BadCase {
+  std::string name, arguments;
+  std::vector<std::string> message_has;
+};
+
+void PrintTo(const BadCase& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+class BadInput : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadInput, IsOneLineThatHelpsAndLeavesNothing) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_foamsim(GetParam().arguments + " --out " + (scratch / "run"));
+  EXPECT_EQ(result.exit_code, 2) << result.error;
+  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  for (const std::string& part : GetParam().message_has)
+    EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
+  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Run, BadInput,
+    testing::Values(
+        BadCase{"unknown_scene", "run doublebuble", {"unknown scene 'doublebuble'", "did you mean 'doublebubble'"}},
+        BadCase{"unknown_strategy", "run doublebubble --area avraged", {"avraged", "did you mean 'averaged'"}},
+        BadCase{
+            "unknown_strategy_in_compare", "compare doublebubble --areas naive,avraged", {"did you mean 'averaged'"}},
+        BadCase{"unknown_effect", "run sphere --set effects+=difusion", {"difusion", "did you mean 'diffusion'"}},
+        BadCase{"unknown_option", "run sphere --set sigmaa=1", {"sigmaa", "did you mean 'sigma'"}},
+        BadCase{"unknown_command", "rum sphere", {"unknown command 'rum'", "did you mean 'run'"}},
+        BadCase{"unknown_integrator", "run sphere --set integrator=rk5", {"rk5", "did you mean 'rk4'"}},
+        BadCase{"n_too_small", "run doublebubble --set n=7", {"n = 7", "8"}},
+        BadCase{"n_not_whole", "run doublebubble --set n=16.5", {"n", "whole number"}},
+        BadCase{"n_absurd", "run sphere --set n=1000000", {"1000000", "0 to 8"}},
+        BadCase{"dt_zero", "run sphere --set dt=0", {"dt = 0", "> 0"}},
+        BadCase{"dt_negative", "run sphere --set dt=-0.01", {"dt = -0.01", "> 0"}},
+        BadCase{"dt_nan", "run sphere --set dt=nan", {"dt", "> 0"}},
+        BadCase{"dt_word", "run sphere --set dt=fast", {"dt", "'fast' is not a number"}},
+        BadCase{"not_an_assignment", "run sphere --set dt", {"key=value"}},
+        BadCase{"option_of_an_absent_effect", "run sphere --set damping=0.5", {"damping", "effects+=damping"}},
+        BadCase{"negative_steps", "run sphere --steps -3", {"--steps"}},
+        BadCase{"nan_time", "run sphere --time nan", {"--time"}},
+        BadCase{"unknown_flag", "run sphere --stepz 3", {"stepz"}},
+        BadCase{"missing_scene_file", "run nowhere.toml", {"nowhere.toml"}},
+        BadCase{"missing_mesh_file", "run nowhere.ply", {"nowhere.ply"}},
+        BadCase{"missing_checkpoint", "run --resume nowhere.cbor", {"nowhere.cbor", "checkpoint"}}),
+    [](const auto& info) { return info.param.name; });
+
+void expect_refused(const ProgramResult& result, const std::string& part) {
+  EXPECT_EQ(result.exit_code, 2) << result.error;
+  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
+}
+
+TEST(BadFiles, TomlErrorsNameFileAndLine) {
+  const ScratchFolder scratch;
+  auto refused_with = [&](const std::string& text, const std::string& part) {
+    std::ofstream(scratch / "scene.toml") << text;
+    expect_refused(run_foamsim("run " + (scratch / "scene.toml") + " --out " + (scratch / "run")), part);
+  };
+  refused_with("scene = \"sphere\"\nsigmaa = 2\n", "scene.toml:2: unknown option 'sigmaa'; did you mean 'sigma'");
+  refused_with("scene = \"sphere\"\n\ndt = \"fast\"\n", "scene.toml:3: dt");
+  refused_with("scene = \"spher\"\n", "scene.toml:1: unknown scene 'spher'; did you mean 'sphere'");
+  refused_with("scene = sphere\n", "scene.toml:1: not valid TOML");
+  refused_with("dt = 0.01\n", "needs either scene");
+  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+}
+
+TEST(BadFiles, ReferenceOptionFileErrorsNameFileAndLine) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "old.txt") << "scene doublebubble\ntime-stepp 0.01\n";
+  expect_refused(run_foamsim("run " + (scratch / "old.txt") + " --out " + (scratch / "run")),
+                 "old.txt:2: unknown key 'time-stepp'; did you mean 'time-step'");
+}
+
+TEST(BadFiles, ABrokenMeshIsRefused) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "cut.ply") << "ply\nformat ascii 1.0\nelement vertex 3\n";
+  expect_refused(run_foamsim("run " + (scratch / "cut.ply") + " --out " + (scratch / "run")), "cut.ply");
+  expect_refused(run_foamsim("inspect " + (scratch / "cut.ply")), "cut.ply");
+  expect_refused(run_foamsim("convert " + (scratch / "cut.ply") + " " + (scratch / "x.obj")), "cut.ply");
+  expect_refused(run_foamsim("render " + (scratch / "cut.ply") + " --out " + (scratch / "pictures")), "cut.ply");
+  EXPECT_FALSE(fs::exists(scratch.path() / "x.obj"));
+  EXPECT_FALSE(fs::exists(scratch.path() / "pictures"));
+}
+
+TEST(BadFiles, ACutCheckpointIsRefused) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "run")).exit_code, 0);
+  const std::string whole = read_file(scratch / "run/checkpoint.cbor");
+  for (std::size_t size : {std::size_t{0}, std::size_t{1}, whole.size() / 3, whole.size() - 1}) {
+    std::ofstream(scratch / "cut.cbor", std::ios::binary) << whole.substr(0, size);
+    expect_refused(run_foamsim("run --resume " + (scratch / "cut.cbor") + " --out " + (scratch / "more")),
+                   "checkpoint");
+  }
+  EXPECT_FALSE(fs::exists(scratch.path() / "more"));
+}
+
+TEST(BadOutput, AFolderThatHoldsARunIsRefusedUnlessForced) {
+  const ScratchFolder scratch;
+  const std::string command = "run sphere --set n=1 --steps 2 --out " + (scratch / "run");
+  ASSERT_EQ(run_foamsim(command).exit_code, 0);
+  const std::string before = read_file(scratch / "run/metrics.csv");
+  expect_refused(run_foamsim(command), "--force");
+  EXPECT_EQ(read_file(scratch / "run/metrics.csv"), before);
+  EXPECT_EQ(run_foamsim(command + " --force").exit_code, 0);
+}
+
+TEST(BadOutput, APlaceThatCannotBeWrittenToIsRefused) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "file") << "not a folder";
+  expect_refused(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "file")), "folder");
+  expect_refused(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "file/below")), "folder");
+  expect_refused(run_foamsim("run sphere --set n=1 --steps 2 --out /proc/foamsim"), "/proc/foamsim");
+  EXPECT_EQ(read_file(scratch / "file"), "not a folder");
+}
+
+// A limit on the size of files stands in for a full disk: writes fail in the same places.
+TEST(BadOutput, AFullDiskAtTheStartLeavesNothing) {
+  const ScratchFolder scratch;
+  expect_refused(run_foamsim("run doublebubble --steps 2 --out " + (scratch / "run"), "ulimit -f 4;"), scratch / "run");
+  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+}
+
+TEST(BadOutput, AFullDiskLaterKeepsWholeRowsAndFrames) {
+  const ScratchFolder scratch;
+  // Frames of this sphere are small; the table of metrics outgrows 16 KiB after some dozen steps.
+  const ProgramResult result =
+      run_foamsim("run sphere --set n=1 --steps 2000 --set frame_every=10 --out " + (scratch / "run"), "ulimit -f 16;");
+  expect_refused(result, "metrics.csv");
+  const std::string table = read_file(scratch / "run/metrics.csv");
+  ASSERT_FALSE(table.empty());
+  EXPECT_EQ(table.back(), '\n');
+  const auto columns = [](const std::string& line) { return std::ranges::count(line, ','); };
+  EXPECT_EQ(columns(table.substr(table.rfind('\n', table.size() - 2))), columns(table.substr(0, table.find('\n'))));
+  for (const auto& frame : fs::directory_iterator(scratch.path() / "run/frames"))
+    EXPECT_EQ(run_foamsim("inspect " + frame.path().string()).exit_code, 0) << frame.path();
+}
+
+}  // namespace
+}  // namespace foamsim::test

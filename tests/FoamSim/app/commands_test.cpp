@@ -1,0 +1,232 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "FoamSim/effects/registry.h"
+#include "FoamSim/scenes/scene.h"
+#include "FoamSim/scenes/scene_registry.h"
+#include "program.h"
+
+namespace foamsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(RunCommand, WritesTheFolderAsDescribed) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_foamsim(
+      "run doublebubble --steps 4 --set frame_every=2 --set vtp=true --area naive --seed 7 --threads 1 --out " +
+      (scratch / "run"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const auto metrics = lines_of(read_file(scratch / "run/metrics.csv"));
+  ASSERT_EQ(metrics.size(), 6u);  // header, start, four steps
+  EXPECT_TRUE(metrics[0].starts_with(
+      "step,time,vertices,triangles,regions,area,energy,impulse_x,impulse_y,impulse_z,centroid_x,centroid_y,centroid_z,"
+      "angle_rms_deg,angle_outer_mean_deg,volume_drift_max,triangle_angle_min_deg,t1_count,snap_count,step_seconds"));
+  EXPECT_TRUE(metrics[5].starts_with("4,0.04,435,880,3,"));
+  EXPECT_EQ(lines_of(read_file(scratch / "run/volumes.csv")).size(), 1u + 5 * 3);
+  for (const char* frame : {"frame_000000.ply", "frame_000002.ply", "frame_000004.ply"})
+    EXPECT_TRUE(fs::exists(scratch.path() / "run/frames" / frame)) << frame;
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/surface.pvd"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/vtp/frame_000004.vtp"));
+  const json run = json::parse(read_file(scratch / "run/run.json"));
+  EXPECT_EQ(run["ended"], "finished");
+  EXPECT_EQ(run["options"]["area"], "naive");
+  EXPECT_EQ(run["seed"], 7);
+  EXPECT_EQ(run["threads"], 1);
+  EXPECT_EQ(run["last_step"], 4);
+  EXPECT_NE(run["command"].get<std::string>().find("--area naive"), std::string::npos);
+}
+
+TEST(RunCommand, ExplainNamesActiveEffectsOnly) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_foamsim(
+      "run sphere --set n=1 --set effects=surface_tension,damping --set damping=0.5 --steps 3 --explain --out " +
+      (scratch / "run"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.out.find("damping"), std::string::npos);
+  EXPECT_EQ(result.out.find("diffusion"), std::string::npos);
+}
+
+TEST(RunCommand, QuietPrintsNothing) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_foamsim("run sphere --set n=1 --steps 3 --quiet --out " + (scratch / "run"));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out + result.error, "");
+}
+
+TEST(RunCommand, EveryBuiltInSceneRuns) {
+  for (const SceneEntry& scene : scene_entries()) {
+    const ScratchFolder scratch;
+    const ProgramResult result =
+        run_foamsim("run " + std::string(scene.name) + " --steps 3 --out " + (scratch / "run"));
+    EXPECT_EQ(result.exit_code, 0) << scene.name << result.error;
+  }
+}
+
+TEST(RunCommand, TheSameBitsWithOneAndTwoThreadsAndAgain) {
+  const ScratchFolder scratch;
+  std::string first;
+  for (const char* name : {"one --threads 1", "two --threads 2", "again --threads 2"}) {
+    const std::string folder = std::string(name).substr(0, std::string(name).find(' '));
+    ASSERT_EQ(
+        run_foamsim("run doublebubble --set n=24 --steps 25 --out " + scratch.path().string() + "/" + name).exit_code,
+        0);
+    const std::string frame = read_file(scratch.path() / folder / "frames/frame_000025.ply");
+    if (first.empty()) first = frame;
+    ASSERT_FALSE(frame.empty());
+    EXPECT_TRUE(frame == first) << name;
+  }
+}
+
+// Every option has to change what a run writes: none is read and then forgotten.
+TEST(Options, EachOneHasAnEffect) {
+  const std::vector<std::pair<std::string, std::string>> changes{
+      {"n", "run doublebubble --set n=17"},
+      {"mode", "run sphere --set mode=2"},
+      {"amplitude", "run sphere --set mode=2 --set amplitude=0.05"},
+      {"dt", "run doublebubble --set dt=0.005"},
+      {"time", "run doublebubble --set time=0.02"},
+      {"resolution", "run doublebubble --set resolution=0.5"},
+      {"delta", "run doublebubble --set delta=0.5"},
+      {"integrator", "run doublebubble --set integrator=rk4"},
+      {"effects", "run doublebubble --set effects=surface_tension"},
+      {"frame_every", "run doublebubble --set frame_every=1"},
+      {"metrics_every", "run doublebubble --set metrics_every=2"},
+      {"checkpoint_every", "run doublebubble --set checkpoint_every=1"},
+      {"vtp", "run doublebubble --set vtp=true"},
+      {"seed", "run doublebubble --set seed=5"},
+      {"sigma", "run doublebubble --set sigma=2"},
+      {"area", "run doublebubble --set area=naive"},
+      {"phi", "run doublebubble --set area=constant-edge --set phi=0.9"},
+      {"damping", "run doublebubble --set effects+=damping --set damping=0.1"},
+      {"diffusion", "run doublebubble --set diffusion=1"},
+  };
+  auto outcome = [](const std::string& command) {
+    const ScratchFolder scratch;
+    EXPECT_EQ(run_foamsim(command + (command.find("time=") == std::string::npos ? " --time 0.04" : "") + " --out " +
+                          (scratch / "run"))
+                  .exit_code,
+              0)
+        << command;
+    // All that a run leaves, but for its times and the words of its command.
+    std::string text;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(scratch.path() / "run")) files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+      text += file.filename().string();
+      if (file.extension() == ".ply") text += read_file(file);
+      if (file.filename() == "volumes.csv") text += read_file(file);
+      if (file.filename() == "run.json") text += json::parse(read_file(file))["seed"].dump();
+    }
+    return text;
+  };
+  const std::string double_bubble = outcome("run doublebubble"), sphere = outcome("run sphere");
+  const std::string mode = outcome("run sphere --set mode=2"),
+                    constant_edge = outcome("run doublebubble --set area=constant-edge");
+  for (const OptionSpec& spec : scene_option_specs()) {
+    const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
+    ASSERT_NE(it, changes.end()) << spec.key << " has no case here";
+    if (spec.key == "checkpoint_every") continue;  // seen by an interrupted run only: InterruptedRun.CanBeResumed
+    const std::string& base = spec.key == "mode"        ? sphere
+                              : spec.key == "amplitude" ? mode
+                              : spec.key == "phi"       ? constant_edge
+                                                        : double_bubble;
+    EXPECT_NE(outcome(it->second), base) << spec.key;
+  }
+}
+
+TEST(CompareCommand, MakesATableAndARunEach) {
+  const ScratchFolder scratch;
+  const ProgramResult result =
+      run_foamsim("compare doublebubble --areas naive,averaged --steps 3 --no-pictures --out " + (scratch / "c"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_EQ(lines_of(read_file(scratch / "c/compare.csv")).size(), 3u);
+  EXPECT_TRUE(fs::exists(scratch.path() / "c/naive/run.json"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "c/averaged/run.json"));
+  const ProgramResult shown = run_foamsim("compare --show " + (scratch / "c"));
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_NE(shown.out.find("averaged"), std::string::npos);
+}
+
+TEST(ListCommands, NameEverythingThereIs) {
+  const std::string scenes = run_foamsim("scenes").out, effects = run_foamsim("effects").out;
+  for (const SceneEntry& scene : scene_entries()) EXPECT_NE(scenes.find(scene.name), std::string::npos) << scene.name;
+  for (const EffectEntry& effect : effect_entries()) EXPECT_NE(effects.find(effect.name), std::string::npos);
+  for (const OptionSpec& spec : scene_option_specs())
+    EXPECT_NE((scenes + effects).find("  " + spec.key + " "), std::string::npos) << spec.key;
+}
+
+TEST(InspectCommand, ReportsCountsVolumesAnglesAndAudit) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run doublebubble --steps 0 --out " + (scratch / "run")).exit_code, 0);
+  const ProgramResult result = run_foamsim("inspect --json " + (scratch / "run/frames/frame_000000.ply"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["triangles"], 880);
+  EXPECT_EQ(report["euler_characteristic"], 3);
+  EXPECT_EQ(report["junction_edges"], 16);
+  EXPECT_EQ(report["audit"], "clean");
+  EXPECT_NEAR(report["volumes"]["1"].get<double>(), 4.027, 5e-4);
+  EXPECT_NEAR(report["volumes"]["2"].get<double>(), 4.027, 5e-4);
+}
+
+TEST(ConvertCommand, KeepsTheSurfaceThroughEveryFormat) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run doublebubble --steps 0 --out " + (scratch / "run")).exit_code, 0);
+  std::string last = scratch / "run/frames/frame_000000.ply";
+  for (const char* next : {"a.obj", "b.rec", "c.arec", "d.vtp", "e.ply"}) {
+    ASSERT_EQ(run_foamsim("convert " + last + " " + (scratch / next)).exit_code, 0) << next;
+    last = scratch / next;
+  }
+  EXPECT_EQ(read_file(scratch / "e.ply"), read_file(scratch / "run/frames/frame_000000.ply"));
+}
+
+TEST(RunCommand, StartsFromAMeshFileAndAReferenceOptionFile) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run doublebubble --steps 0 --out " + (scratch / "run")).exit_code, 0);
+  EXPECT_EQ(run_foamsim("run " + (scratch / "run/frames/frame_000000.ply") + " --steps 2 --out " + (scratch / "mesh"))
+                .exit_code,
+            0);
+  std::ofstream(scratch / "old.txt")
+      << "scene doublebubble\ntime-step 0.02 # seconds\nsimulation-time 0.4\nmesh-size-n 24\n"
+         "RK4-velocity-integration 1\nsmoothing-coef 5\nlooped 0\n";
+  const ProgramResult old = run_foamsim("run " + (scratch / "old.txt") + " --out " + (scratch / "old"));
+  ASSERT_EQ(old.exit_code, 0) << old.error;
+  EXPECT_NE(old.error.find("looped"), std::string::npos) << "what has no meaning here has to be named";
+  const json run = json::parse(read_file(scratch / "old/run.json"));
+  EXPECT_EQ(run["options"]["dt"], 0.02);
+  EXPECT_EQ(run["options"]["n"], 24);
+  EXPECT_EQ(run["options"]["integrator"], "rk4");
+  EXPECT_EQ(run["options"]["diffusion"], 5.0);
+  EXPECT_EQ(run["last_step"], 10) << "its clock runs twice as fast";
+}
+
+TEST(RenderCommand, DrawsEachFrameAtTheAskedSize) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run sphere --set n=2 --steps 1 --set frame_every=1 --out " + (scratch / "run")).exit_code, 0);
+  const ProgramResult result = run_foamsim("render " + (scratch / "run/frames/frame_000000.ply") + " " +
+                                           (scratch / "run/frames/frame_000001.ply") +
+                                           " --size 64x48 --samples 1 --out " + (scratch / "pictures"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const std::string png = read_file(scratch / "pictures/frame_000001.png");
+  ASSERT_GT(png.size(), 24u);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(static_cast<int>(png[19]), 64);
+  EXPECT_EQ(static_cast<int>(png[23]), 48);
+}
+
+}  // namespace
+}  // namespace foamsim::test

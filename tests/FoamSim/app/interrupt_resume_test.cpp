@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "program.h"
+
+namespace foamsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// Columns that hold wall times differ from run to run; all others have to be the same.
+std::string without_seconds(const std::string& table) {
+  std::istringstream in(table);
+  std::string result;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int column = 0; std::getline(cells, cell, ','); ++column)
+      if (column != 19) result += cell + ",";
+    result += "\n";
+  }
+  return result;
+}
+
+TEST(InterruptedRun, FinishesTheStepAndSaysSo) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_foamsim("run doublebubble --set n=24 --time 1e6 --out " + (scratch / "run"),
+                                           "timeout --preserve-status -s INT 2");
+  EXPECT_EQ(result.exit_code, 130) << result.error;
+  const json run = json::parse(read_file(scratch / "run/run.json"));
+  EXPECT_EQ(run["ended"], "interrupted");
+  const fs::path last = scratch.path() / "run/frames" / run["last_frame"].get<std::string>();
+  EXPECT_EQ(run_foamsim("inspect " + last.string()).exit_code, 0);
+}
+
+TEST(InterruptedRun, CanBeResumedToTheSameBits) {
+  const ScratchFolder scratch;
+  const std::string scene = "run doublebubble --set frame_every=7 --set vtp=true";
+  ASSERT_EQ(run_foamsim(scene + " --steps 40 --out " + (scratch / "whole")).exit_code, 0);
+  ASSERT_EQ(run_foamsim(scene + " --steps 23 --out " + (scratch / "parts")).exit_code, 0);
+  // In the same folder the tables go on; elsewhere a new run begins.
+  ASSERT_EQ(run_foamsim("run --resume " + (scratch / "parts/checkpoint.cbor") + " --steps 40").exit_code, 0);
+  EXPECT_EQ(read_file(scratch / "parts/frames/frame_000040.ply"), read_file(scratch / "whole/frames/frame_000040.ply"));
+  EXPECT_EQ(without_seconds(read_file(scratch / "parts/metrics.csv")),
+            without_seconds(read_file(scratch / "whole/metrics.csv")));
+  EXPECT_EQ(read_file(scratch / "parts/volumes.csv"), read_file(scratch / "whole/volumes.csv"));
+}
+
+TEST(InterruptedRun, WritesCheckpointsAtTheAskedInterval) {
+  const ScratchFolder scratch;
+  // Killed without a chance to save: what the last checkpoint holds is not lost.
+  run_foamsim("run doublebubble --set checkpoint_every=5 --time 1e6 --out " + (scratch / "run"), "timeout -s KILL 2");
+  ASSERT_TRUE(fs::exists(scratch.path() / "run/checkpoint.cbor"));
+  EXPECT_EQ(
+      run_foamsim("run --resume " + (scratch / "run/checkpoint.cbor") + " --time 0.05 --out " + (scratch / "more"))
+          .exit_code,
+      0);
+}
+
+}  // namespace
+}  // namespace foamsim::test

@@ -1,0 +1,155 @@
+#include "LosTopos/io/obj.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "LosTopos/io/atomic_file.h"
+#include "LosTopos/io/byte_reader.h"
+#include "LosTopos/io/number_text.h"
+#include "LosTopos/io/read_error.h"
+#include "LosTopos/io/surface_checks.h"
+#include "LosTopos/io/text_reader.h"
+
+namespace lostopos {
+namespace {
+
+constexpr std::string_view group_prefix = "region_";
+constexpr std::array<std::string_view, 9> passed_over{"vt", "vn", "vp", "o", "s", "usemtl", "mtllib", "l", "p"};
+
+class ObjReader {
+ public:
+  explicit ObjReader(const std::filesystem::path& path)
+      : name_(path.string()), text_(ByteReader(path).read_text(), name_) {}
+
+  SurfaceData read() {
+    if (text_.remaining() == 0) text_.fail("the file is empty; an OBJ file has lines such as 'v 0 0 1' and 'f 1 2 3'");
+    while (text_.next_line()) {
+      std::string_view rest = text_.line();
+      const std::string_view keyword = take_word(rest);
+      if (keyword == "v") {
+        read_vertex(rest);
+      } else if (keyword == "f") {
+        read_face(rest);
+      } else if (keyword == "g") {
+        read_group(rest);
+      } else if (!keyword.empty() && keyword[0] != '#' &&
+                 std::ranges::find(passed_over, keyword) == passed_over.end()) {
+        text_.fail(in_quotes(keyword) + " is no statement of a polygonal OBJ file; v, f and g lines are wanted");
+      }
+    }
+    if (largest_corner_ > static_cast<std::int64_t>(data_.positions.size()))
+      throw_at_line(name_, largest_corner_line_,
+                    "the face names vertex " + std::to_string(largest_corner_) + ", but the file has only " +
+                        std::to_string(data_.positions.size()));
+    return std::move(data_);
+  }
+
+ private:
+  void read_vertex(std::string_view rest) {
+    Vec3 position;
+    for (int i = 0; i < 3; ++i) {
+      const std::string_view word = take_word(rest);
+      const auto value = parse_double(word);
+      if (!value) text_.fail(in_quotes(word) + " stands where a coordinate should; 'v 0.5 0 -1' would be right");
+      position[i] = *value;
+    }
+    reject(position_problem(position));
+    data_.positions.push_back(position);
+    reject(vertex_count_problem(data_.positions.size()));
+  }
+
+  void read_face(std::string_view rest) {
+    std::array<std::int64_t, 3> corners{};
+    std::size_t count = 0;
+    for (std::string_view word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
+      if (count < 3) corners[count] = corner(word);
+      ++count;
+    }
+    if (count != 3)
+      text_.fail("the face has " + std::to_string(count) + " corners, not 3" +
+                 (count > 3 ? "; triangulate the surface first" : ""));
+    // A face may name vertices of later lines, so that the upper bound is known at the end only.
+    reject(corner_problem(corners, most_vertices, 1));
+    if (const std::int64_t largest = *std::ranges::max_element(corners) + 1; largest > largest_corner_) {
+      largest_corner_ = largest;
+      largest_corner_line_ = text_.line_number();
+    }
+    data_.triangles.push_back(checked_corners(corners));
+    data_.labels.push_back(labels_);
+    reject(triangle_count_problem(data_.triangles.size()));
+  }
+
+  // Number, from 0, of the vertex that "7", "7/2", "7//3", "7/2/3" or "-1" stands for.
+  std::int64_t corner(std::string_view word) {
+    const auto number = parse_integer(word.substr(0, word.find('/')));
+    const auto have = static_cast<std::int64_t>(data_.positions.size());
+    if (!number || *number == 0 || *number < -have)
+      text_.fail(in_quotes(word) + " stands where a corner should, with " + std::to_string(have) +
+                 " vertices so far; a vertex number from 1, or from -1 backwards, would be right");
+    return *number > 0 ? *number - 1 : have + *number;
+  }
+
+  void read_group(std::string_view rest) {
+    labels_ = default_labels;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      if (!word.starts_with(group_prefix)) continue;
+      const std::string_view numbers = word.substr(group_prefix.size());
+      // region_north is somebody else's group; region_1_x is meant to be ours.
+      if (numbers.find_first_of("0123456789-") != 0) continue;
+      const std::size_t bar = std::min(numbers.find('_'), numbers.size() - 1);
+      const auto p = parse_integer(numbers.substr(0, bar)), q = parse_integer(numbers.substr(bar + 1));
+      if (!p || !q) text_.fail("group " + in_quotes(word) + " names no two regions; 'region_1_0' would be right");
+      reject(label_problem(*p, *q));
+      labels_ = checked_labels(*p, *q);
+    }
+  }
+
+  void reject(const std::string& problem) {
+    if (!problem.empty()) text_.fail(problem);
+  }
+
+  std::string name_;
+  TextReader text_;
+  SurfaceData data_;
+  Labels labels_ = default_labels;
+  std::int64_t largest_corner_ = 0;  // counted from 1
+  std::size_t largest_corner_line_ = 0;
+};
+
+void append_integer(std::string& text, std::uint32_t value) {
+  append_number(text, static_cast<std::int64_t>(value));
+}
+
+}  // namespace
+
+SurfaceData read_obj(const std::filesystem::path& path) {
+  return ObjReader(path).read();
+}
+
+void write_obj(const std::filesystem::path& path, const SurfaceData& data) {
+  validate(data);
+  AtomicFile file(path);
+  file.stream() << "# group region_P_Q: the faces' right-hand normals point out of region P into region Q; 0 is the "
+                   "open air\n";
+  std::string line;
+  for (const Vec3& position : data.positions) {
+    line.assign(1, 'v');
+    for (int i = 0; i < 3; ++i) append_number(line += ' ', position[i]);
+    file.stream() << (line += '\n');
+  }
+  for (std::size_t t = 0; t < data.triangles.size(); ++t) {
+    const Labels labels = data.labels[t];
+    line.clear();
+    if (t == 0 || !(data.labels[t - 1] == labels)) {
+      append_integer(line.append("g ").append(group_prefix), labels.p.index());
+      append_integer(line += '_', labels.q.index());
+      line += '\n';
+    }
+    line += 'f';
+    for (const std::uint32_t corner : data.triangles[t]) append_integer(line += ' ', corner + 1);
+    file.stream() << (line += '\n');
+  }
+  file.commit();
+}
+
+}  // namespace lostopos

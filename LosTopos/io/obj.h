@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "LosTopos/io/surface_data.h"
+
+namespace lostopos {
+
+/// Reads a Wavefront OBJ file: `v` (further numbers after x y z are passed over) and triangles `f` in any of the forms
+/// v, v/vt, v//vn, v/vt/vn, with numbers from 1 or, negative, back from the last vertex.
+///
+/// Labels: a group named `region_P_Q` gives the triangles after it the labels p = P, q = Q (right-hand normal out of P
+/// into Q). Triangles in no such group have `default_labels`. Texture, normals, materials, objects and lines are passed
+/// over.
+/// Throws InputError with the line for a malformed file or faces that are not triangles, FileError when it cannot be
+/// read.
+SurfaceData read_obj(const std::filesystem::path& path);
+
+/// Writes OBJ with one `g region_P_Q` line before each run of triangles that have the same labels, so that the order of
+/// triangles is kept; the numbers read back as the same bits. Throws InputError when the data is not valid (nothing is
+/// written then), FileError when it cannot be written.
+void write_obj(const std::filesystem::path& path, const SurfaceData& data);
+
+}  // namespace lostopos

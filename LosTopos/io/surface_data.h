@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "LosTopos/mesh/surface_mesh.h"
+
+namespace lostopos {
+
+/// Γ^{pq} of one region pair at one vertex, with p < q (L²/T).
+struct PairValue {
+  Region p, q;
+  double value;
+  bool operator==(const PairValue&) const = default;
+};
+
+/// Sparse values per vertex and region pair: those of vertex v are values[offsets[v]] .. values[offsets[v + 1] - 1],
+/// ascending by (p, q). Without any data both are empty.
+struct PairValues {
+  std::vector<std::size_t> offsets;  ///< one more than there are vertices, or none
+  std::vector<PairValue> values;
+
+  bool empty() const { return offsets.empty(); }
+  std::span<const PairValue> at(std::size_t vertex) const {
+    return std::span(values).subspan(offsets[vertex], offsets[vertex + 1] - offsets[vertex]);
+  }
+  bool operator==(const PairValues&) const = default;
+};
+
+/// A vertex held by a wire or a solid, and where it is held.
+struct HeldVertex {
+  std::uint32_t vertex;
+  Vec3 position;
+  bool operator==(const HeldVertex&) const = default;
+};
+
+/// Named numbers that follow the vertices or the triangles, `components` each, in their order.
+struct DataArray {
+  std::string name;
+  int components = 1;
+  std::vector<double> values;
+  bool operator==(const DataArray&) const = default;
+};
+
+/// A labelled surface as a file holds it: vertices and triangles numbered from 0 without gaps.
+/// Which format carries what besides positions, triangles and labels: see `mesh_formats`.
+struct SurfaceData {
+  std::vector<Vec3> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Labels> labels;              ///< one a triangle
+  std::uint32_t declared_regions = 0;      ///< regions 0 .. n - 1 may occur (.rec); 0: what the labels say
+  PairValues circulation;                  ///< .rec
+  std::vector<HeldVertex> held;            ///< .rec
+  std::vector<DataArray> vertex_arrays;    ///< .vtp
+  std::vector<DataArray> triangle_arrays;  ///< .vtp
+  bool operator==(const SurfaceData&) const = default;
+};
+
+/// Labels of triangles from a file that has none: the surface of one bubble, region 1, with its normals to the air.
+inline constexpr Labels default_labels{Region{1}, air};
+
+/// Limits of the formats' 32-bit integers, and of the mesh's handles.
+inline constexpr std::uint64_t most_vertices = 0x7fffffff;
+inline constexpr std::uint64_t most_triangles = 0x55555554;
+inline constexpr std::uint32_t largest_region = 0x7fffffff;
+
+/// Throws InputError, with the number of the element, unless the data makes a surface: finite positions, existing and
+/// different corners, two different labels of at most `largest_region`, arrays of the right length, everything within
+/// the limits. A triangle may occur twice. What a reader returns is valid, and writers refuse what is not.
+void validate(const SurfaceData& data);
+
+/// The smallest n such that all regions of labels and circulation, and `declared_regions`, are below n.
+std::uint32_t region_count(const SurfaceData& data);
+
+/// Vertex i of the data becomes Vertex(i), triangle i Triangle(i). Throws InputError when the data is not valid.
+SurfaceMesh to_mesh(const SurfaceData& data);
+
+/// The living vertices and triangles in the order of their slots, without gaps; no arrays, circulation or held
+/// vertices.
+SurfaceData from_mesh(const SurfaceMesh& mesh);
+
+/// Number of each vertex in `from_mesh`'s data, indexed by handle; `Vertex::invalid_index` for dead slots.
+std::vector<std::uint32_t> compact_numbers(const SurfaceMesh& mesh);
+
+}  // namespace lostopos

@@ -1,0 +1,92 @@
+#include "LosTopos/io/mesh_file.h"
+
+#include "LosTopos/io/rec.h"
+#include "tests/LosTopos/io/io_test_tools.h"
+
+namespace lostopos {
+namespace {
+
+class MeshFileTest : public IoTest {
+ protected:
+  std::filesystem::path path_with(std::string_view extension) const { return path("a").replace_extension(extension); }
+};
+
+TEST_F(MeshFileTest, EveryFormatKeepsTheSurface) {
+  for (const MeshFormat& format : mesh_formats()) {
+    const auto file = path_with(format.extension);
+    write_surface(file, two_tetrahedra_with_circulation());
+    const SurfaceData data = read_surface(file);
+    expect_same_surface(data, two_tetrahedra());
+    EXPECT_EQ(!data.circulation.empty() && !data.held.empty(), format.keeps_circulation) << format.extension;
+  }
+}
+
+TEST_F(MeshFileTest, ArraysAreKeptWhereTheFormatSaysSo) {
+  SurfaceData with_array = two_tetrahedra();
+  with_array.vertex_arrays = {{"a", 1, std::vector<double>(6, 1.5)}};
+  for (const MeshFormat& format : mesh_formats()) {
+    const auto file = path_with(format.extension);
+    write_surface(file, with_array);
+    EXPECT_EQ(!read_surface(file).vertex_arrays.empty(), format.keeps_arrays) << format.extension;
+  }
+}
+
+TEST_F(MeshFileTest, ContentDecidesWhereTheExtensionDoesNot) {
+  for (const MeshFormat& format : mesh_formats()) {
+    const auto file = path_with(format.extension);
+    write_surface(file, two_tetrahedra());
+    std::filesystem::rename(file, path("frame"));
+    expect_same_surface(read_surface(path("frame")), two_tetrahedra());
+    EXPECT_EQ(sniff_mesh_format(path("frame")), find_mesh_format(file)) << format.extension;
+  }
+}
+
+TEST_F(MeshFileTest, TrackerRecIsSniffedToo) {
+  write_rec(path("a"), two_tetrahedra(), RecFlavour::Tracker);
+  expect_same_surface(read_surface(path("a")), two_tetrahedra());
+}
+
+// 8,242 vertices: the first bytes of the count are "2 ", a number followed by a space.
+TEST_F(MeshFileTest, RecThatStartsLikeTextIsStillARec) {
+  SurfaceData data = two_tetrahedra();
+  data.positions.resize(8242, Vec3::Zero());
+  write_rec(path("a"), data, RecFlavour::Tracker);
+  expect_same_surface(read_surface(path("a")), data);
+}
+
+TEST_F(MeshFileTest, ExtensionIsReadInSmallOrCapitalLetters) {
+  write_surface(path("A.PLY"), two_tetrahedra());
+  expect_same_surface(read_surface(path("A.PLY")), two_tetrahedra());
+}
+
+TEST_F(MeshFileTest, ContentThatContradictsTheExtension) {
+  write_surface(path("a.ply"), two_tetrahedra());
+  std::filesystem::rename(path("a.ply"), path("a.obj"));
+  expect_contains(input_error([&] { read_surface(path("a.obj")); }), "has the content of a .ply file");
+}
+
+TEST_F(MeshFileTest, UnknownFormatsAreRefusedWithTheKnownOnes) {
+  const std::string known = ".ply, .obj, .vtp, .rec, .arec";
+  expect_contains(input_error([&] { write_surface(path("a.stl"), two_tetrahedra()); }), known);
+  expect_contains(input_error([&] { write_surface(path("a"), two_tetrahedra()); }), known);
+  EXPECT_EQ(files_in_folder(), 0U);
+  expect_contains(input_error([&] { read_surface(write("a.stl", "solid cube\n")); }), known);
+  expect_contains(input_error([&] { read_surface(write("empty", "")); }), known);
+}
+
+TEST_F(MeshFileTest, WhatIsNoFile) {
+  for (const std::string& extension : {std::string(".ply"), std::string(".obj"), std::string(".vtp"),
+                                       std::string(".rec"), std::string(".arec"), std::string()}) {
+    const auto file = path("missing").replace_extension(extension);
+    EXPECT_THROW(read_surface(file), FileError);
+    expect_contains(input_error([&] { read_surface(file); }), file.string());
+    const auto folder = path("folder").replace_extension(extension);
+    std::filesystem::create_directory(folder);
+    EXPECT_THROW(read_surface(folder), FileError);
+    EXPECT_THROW(write_surface(folder, two_tetrahedra()), InputError);
+  }
+  expect_contains(input_error([&] { read_surface("/dev/zero"); }), "not a regular file");
+}
+
+}  // namespace
+}  // namespace lostopos

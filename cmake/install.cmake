@@ -1,0 +1,20 @@
+# Installs programs, libraries, headers, plot scripts and scenes, and exports targets for find_package(FoamSim).
+include(CMakePackageConfigHelpers)
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FoamSim)
+
+install(TARGETS lostopos multitracker foamsim foamsim_render EXPORT FoamSimTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS foamsim_program multitracker_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(folder LosTopos MultiTracker FoamSim)
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE)
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/generated/FoamSim/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/FoamSim)
+install(DIRECTORY plots assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/foamsim PATTERN __pycache__ EXCLUDE)
+
+install(EXPORT FoamSimTargets NAMESPACE foamsim:: DESTINATION ${config_dir})
+configure_package_config_file(cmake/FoamSimConfig.cmake.in ${PROJECT_BINARY_DIR}/FoamSimConfig.cmake
+                              INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/FoamSimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/FoamSimConfig.cmake ${PROJECT_BINARY_DIR}/FoamSimConfigVersion.cmake
+        DESTINATION ${config_dir})

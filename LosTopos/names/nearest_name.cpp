@@ -1,9 +1,9 @@
-#include "FoamSim/names/nearest_name.h"
+#include "LosTopos/names/nearest_name.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace foamsim {
+namespace lostopos {
 namespace {
 
 // Levenshtein distance, case ignored.
@@ -49,4 +49,4 @@ std::string unknown_name_message(std::string_view kind, std::string_view name,
   return message + ")";
 }
 
-}  // namespace foamsim
+}  // namespace lostopos

@@ -6,11 +6,11 @@
 
 #include "LosTopos/mesh/surface_mesh.h"
 
-namespace foamsim {
+namespace lostopos {
 
 /// A closed solid under construction: points and triangles whose right-hand normals point outwards.
 struct IndexedSurface {
-  std::vector<lostopos::Vec3> points;
+  std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
@@ -18,6 +18,6 @@ struct IndexedSurface {
 IndexedSurface subdivided(IndexedSurface surface, long times);
 
 /// The solid as region 1 in the air.
-lostopos::SurfaceMesh as_bubble(const IndexedSurface& surface);
+SurfaceMesh as_bubble(const IndexedSurface& surface);
 
-}  // namespace foamsim
+}  // namespace lostopos

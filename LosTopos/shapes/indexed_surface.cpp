@@ -1,9 +1,9 @@
-#include "FoamSim/scenes/shapes/indexed_surface.h"
+#include "LosTopos/shapes/indexed_surface.h"
 
 #include <algorithm>
 #include <map>
 
-namespace foamsim {
+namespace lostopos {
 namespace {
 
 IndexedSurface subdivided_once(const IndexedSurface& coarse) {
@@ -32,14 +32,12 @@ IndexedSurface subdivided(IndexedSurface surface, long times) {
   return surface;
 }
 
-lostopos::SurfaceMesh as_bubble(const IndexedSurface& surface) {
-  lostopos::SurfaceMesh mesh;
+SurfaceMesh as_bubble(const IndexedSurface& surface) {
+  SurfaceMesh mesh;
   mesh.reserve(surface.points.size(), surface.triangles.size());
-  for (const lostopos::Vec3& x : surface.points) mesh.add_vertex(x);
-  for (const auto& [a, b, c] : surface.triangles)
-    mesh.add_triangle(lostopos::Vertex(a), lostopos::Vertex(b), lostopos::Vertex(c),
-                      {lostopos::Region(1), lostopos::air});
+  for (const Vec3& x : surface.points) mesh.add_vertex(x);
+  for (const auto& [a, b, c] : surface.triangles) mesh.add_triangle(Vertex(a), Vertex(b), Vertex(c), {Region(1), air});
   return mesh;
 }
 
-}  // namespace foamsim
+}  // namespace lostopos

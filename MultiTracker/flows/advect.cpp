@@ -1,0 +1,35 @@
+#include "MultiTracker/flows/advect.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <vector>
+
+namespace multitracker {
+
+using lostopos::Vec3;
+
+namespace {
+
+Vec3 moved(const Flow& flow, const Vec3& x, double time, double dt) {
+  const Vec3 k1 = flow.velocity(x, time);
+  const Vec3 k2 = flow.velocity(x + dt / 2 * k1, time + dt / 2);
+  const Vec3 k3 = flow.velocity(x + dt / 2 * k2, time + dt / 2);
+  const Vec3 k4 = flow.velocity(x + dt * k3, time + dt);
+  return x + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+}
+
+}  // namespace
+
+void advect(lostopos::SurfaceTracker& tracker, const Flow& flow, double time, double dt) {
+  const auto positions = tracker.mesh().positions();
+  std::vector<Vec3> predicted(positions.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 256),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i)
+                        predicted[i] = moved(flow, positions[i], time, dt);
+                    });
+  tracker.advance(predicted);
+}
+
+}  // namespace multitracker

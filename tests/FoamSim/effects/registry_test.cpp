@@ -1,0 +1,100 @@
+#include "FoamSim/effects/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "FoamSim/effects/damping.h"
+#include "FoamSim/scenes/shapes/solids.h"
+#include "LosTopos/error.h"
+
+namespace foamsim {
+namespace {
+
+OptionSet all_options() {
+  std::vector<OptionSpec> specs;
+  for (const EffectEntry& entry : effect_entries())
+    specs.insert(specs.end(), entry.options.begin(), entry.options.end());
+  return OptionSet(specs);
+}
+
+std::vector<std::string_view> names_of(const std::vector<std::unique_ptr<Effect>>& effects) {
+  std::vector<std::string_view> names;
+  for (const auto& effect : effects) names.push_back(effect->name());
+  return names;
+}
+
+TEST(EffectRegistry, MakesEveryEffectWithItsDefaults) {
+  const OptionSet options = all_options();
+  for (const EffectEntry& entry : effect_entries()) {
+    const std::vector<std::string> name{std::string(entry.name)};
+    const auto effects = make_effects(name, {options, 0.1});
+    ASSERT_EQ(effects.size(), 1U);
+    EXPECT_EQ(effects[0]->name(), entry.name);
+    EXPECT_FALSE(entry.summary.empty());
+  }
+}
+
+TEST(EffectRegistry, ConstructsOnlyWhatIsNamedInTheRegistrysOrder) {
+  const OptionSet options = all_options();
+  const std::vector<std::string> asked{"diffusion", "surface_tension"};
+  EXPECT_EQ(names_of(make_effects(asked, {options, 0.1})),
+            (std::vector<std::string_view>{"surface_tension", "diffusion"}));
+  EXPECT_TRUE(make_effects({}, {options, 0.1}).empty());
+}
+
+TEST(EffectRegistry, UnknownNameComesWithTheNearest) {
+  const OptionSet options = all_options();
+  const std::vector<std::string> asked{"difusion"};
+  try {
+    make_effects(asked, {options, 0.1});
+    FAIL() << "no error";
+  } catch (const lostopos::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'diffusion'"), std::string::npos) << error.what();
+  }
+}
+
+TEST(EffectRegistry, OptionsSayWhichEffectReadsThemAndAreNamedOnce) {
+  std::set<std::string> keys;
+  for (const EffectEntry& entry : effect_entries())
+    for (const OptionSpec& spec : entry.options) {
+      EXPECT_EQ(spec.effect, entry.name);
+      EXPECT_TRUE(keys.insert(spec.key).second) << spec.key;
+      EXPECT_FALSE(spec.summary.empty()) << spec.key;
+    }
+  for (const char* key : {"sigma", "area", "phi", "damping", "diffusion"}) EXPECT_EQ(keys.count(key), 1U) << key;
+}
+
+TEST(EffectRegistry, DefaultsAreTheReferences) {
+  const OptionSet options = all_options();
+  EXPECT_EQ(options.number("sigma"), 1);
+  EXPECT_EQ(options.word("area"), "averaged");
+  EXPECT_EQ(options.number("phi"), 0.5);
+  EXPECT_EQ(options.number("damping"), 1);
+  EXPECT_EQ(options.number("diffusion"), 10);
+}
+
+TEST(EffectRegistry, OptionsReachTheEffect) {
+  OptionSet options = all_options();
+  options.set("damping", 0.5, "test");
+  lostopos::SurfaceMesh mesh = icosphere(0);
+  SurfaceGeometry geometry;
+  geometry.update(mesh);
+  CirculationField circulation(mesh);
+  const lostopos::Labels film{lostopos::Region(1), lostopos::air};
+  circulation.set(lostopos::Vertex(0), film, 8);
+  const std::vector<std::string> asked{"damping"};
+  make_effects(asked, {options, 0.1})[0]->update_circulation({mesh, geometry, 0, 2}, circulation);
+  EXPECT_EQ(circulation.get(lostopos::Vertex(0), film), 2);
+}
+
+TEST(EffectRegistry, DampingMustBeAFactor) {
+  OptionSet options = all_options();
+  for (double bad : {0.0, -0.5, 1.5}) EXPECT_THROW(options.set("damping", bad, "test"), lostopos::InputError) << bad;
+  for (double bad : {-1.0}) EXPECT_THROW(options.set("sigma", bad, "test"), lostopos::InputError) << bad;
+  EXPECT_THROW(options.set("phi", 0.0, "test"), lostopos::InputError);
+  EXPECT_THROW(options.set("diffusion", -1.0, "test"), lostopos::InputError);
+}
+
+}  // namespace
+}  // namespace foamsim

@@ -1,0 +1,40 @@
+#include "FoamSim/names/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace foamsim {
+namespace {
+
+constexpr std::array<std::string_view, 4> kKnown{"naive", "constant-edge", "averaged", "doublebubble"};
+
+TEST(NearestName, FindsTyposOfEveryKind) {
+  EXPECT_EQ(nearest_name("avergaed", kKnown), "averaged") << "swapped";
+  EXPECT_EQ(nearest_name("averged", kKnown), "averaged") << "left out";
+  EXPECT_EQ(nearest_name("averraged", kKnown), "averaged") << "doubled";
+  EXPECT_EQ(nearest_name("avaraged", kKnown), "averaged") << "replaced";
+  EXPECT_EQ(nearest_name("NAIVE", kKnown), "naive") << "capitals";
+  EXPECT_EQ(nearest_name("constant_edge", kKnown), "constant-edge");
+  EXPECT_EQ(nearest_name("double-bubble", kKnown), "doublebubble");
+}
+
+TEST(NearestName, DoesNotGuessWhenNothingIsNear) {
+  EXPECT_EQ(nearest_name("zzzzzzzz", kKnown), "");
+  EXPECT_EQ(nearest_name("anything", {}), "");
+}
+
+TEST(NearestName, ExactNamesAreNearest) {
+  for (std::string_view name : kKnown) EXPECT_EQ(nearest_name(name, kKnown), name);
+}
+
+TEST(UnknownNameMessage, NamesKindNameSuggestionAndAllThatIsKnown) {
+  EXPECT_EQ(
+      unknown_name_message("area strategy", "naiv", kKnown),
+      "unknown area strategy 'naiv'; did you mean 'naive'? (known: naive, constant-edge, averaged, doublebubble)");
+  EXPECT_EQ(unknown_name_message("scene", "qqqqqqqqq", kKnown),
+            "unknown scene 'qqqqqqqqq' (known: naive, constant-edge, averaged, doublebubble)");
+}
+
+}  // namespace
+}  // namespace foamsim

@@ -1,0 +1,9 @@
+#include <FoamSim/scenes/scene.h>
+
+// A step of a built-in scene, as somebody else's program would make it.
+int main() {
+  const foamsim::Scene scene = foamsim::built_in_scene("doublebubble");
+  foamsim::Simulation simulation = foamsim::make_simulation(scene);
+  const foamsim::StepReport report = simulation.step();
+  return report.velocity_evaluations == 1 && simulation.mesh().triangle_count() == 880 ? 0 : 1;
+}

@@ -1,23 +1,79 @@
 #include "LosTopos/surface_tracker.h"
 
+#include <limits>
 #include <sstream>
 
 #include "LosTopos/error.h"
+#include "LosTopos/remeshing/limits.h"
+#include "LosTopos/remeshing/remesher.h"
 
 namespace lostopos {
+namespace {
 
-void SurfaceTracker::advance(std::span<const Vec3> predicted) {
+// Sums over all slots cost little while few of them are dead.
+constexpr double most_dead_slots = 0.1;
+
+bool has_many_gaps(const SurfaceMesh& mesh) {
+  const auto gaps = [](std::size_t living, std::size_t slots) {
+    return static_cast<double>(slots - living) > most_dead_slots * static_cast<double>(slots);
+  };
+  return gaps(mesh.vertex_count(), mesh.vertex_slots()) || gaps(mesh.triangle_count(), mesh.triangle_slots());
+}
+
+}  // namespace
+
+SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
+    : mesh_(std::move(mesh)), options_(options), held_(mesh_.add_vertex_attribute<char>(0)) {
+  options_.remesh.target_edge = options_.resolution;
+  if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
+    throw InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
+  if (options_.remeshing) limits_of(options_.remesh);  // throws where bounds contradict each other
+}
+
+MoveResult SurfaceTracker::advance(std::span<const Vec3> predicted) {
+  require_resolved(predicted);
+  if (options_.collisions) {
+    const MoveOptions move{.proximity_epsilon = options_.proximity_epsilon * options_.resolution,
+                           .impulse_passes = options_.impulse_passes,
+                           .zone_passes = options_.zone_passes,
+                           .rigid_passes = options_.rigid_passes,
+                           .smallest_step = options_.smallest_step};
+    return move_safely(mesh_, predicted, held_.slots(), move);
+  }
+  for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
+  return {};
+}
+
+void SurfaceTracker::require_resolved(std::span<const Vec3> predicted) const {
   if (predicted.size() != mesh_.vertex_slots())
     throw MeshError("cannot move the surface: " + std::to_string(predicted.size()) + " predicted positions for " +
                     std::to_string(mesh_.vertex_slots()) + " vertex slots; there has to be one each");
-  for (Vertex v : mesh_.vertices())
-    if (!predicted[v.index()].allFinite()) {
-      std::ostringstream message;
-      message << "cannot move vertex " << v.index() << " from (" << mesh_.position(v).transpose()
-              << "): its predicted position is not finite";
-      throw MotionError(message.str());
-    }
-  for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
+  const double farthest =
+      options_.resolution > 0 ? options_.largest_motion * options_.resolution : std::numeric_limits<double>::infinity();
+  for (Vertex v : mesh_.vertices()) {
+    const Vec3& x = mesh_.position(v);
+    const Vec3& to = predicted[v.index()];
+    if (to.allFinite() && !((to - x).norm() > farthest)) continue;
+    std::ostringstream message;
+    message << "cannot move vertex " << v.index() << " from (" << x.transpose() << ") to (" << to.transpose() << "): ";
+    if (to.allFinite())
+      message << "that is more than " << options_.largest_motion
+              << " resolutions in one step; a smaller dt resolves it";
+    else
+      message << "the predicted position is not finite";
+    throw MotionError(message.str());
+  }
+}
+
+RemeshStatistics SurfaceTracker::remesh() {
+  RemeshStatistics statistics;
+  if (!options_.remeshing) return statistics;
+  for (int i = 0; i < options_.remeshing_iterations; ++i) {
+    Remesher remesher(mesh_, held_, options_.remesh, observers_);
+    statistics += remesher.run();
+  }
+  if (has_many_gaps(mesh_)) mesh_.compact();
+  return statistics;
 }
 
 }  // namespace lostopos

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "FoamSim/scenes/shapes/double_bubble.h"
-#include "LosTopos/shapes/solids.h"
 #include "LosTopos/collision/safe_move.h"
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/shapes/solids.h"
 
 namespace {
 

@@ -1,5 +1,7 @@
 # Every dependency is a Debian 12 package (see install-deps.sh); nothing is downloaded here.
 find_package(Threads REQUIRED)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_package(CHOLMOD REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)
 find_package(TBB REQUIRED)

@@ -34,6 +34,21 @@ void print_stages(const RunOutcome& outcome) {
     std::printf("%-18s %10.3f %10.3f %6.1f%%\n", stage.c_str(), seconds, 1e3 * seconds / steps, 100 * seconds / total);
 }
 
+void print_tracker(const RunOutcome& outcome) {
+  for (std::size_t i = 0; i < lostopos::operation_count; ++i) {
+    const lostopos::OperationCounts& counts = outcome.remesh.operations[i];
+    std::printf("%-18s %10zu done, %.3f s; refused:", lostopos::name(static_cast<lostopos::Operation>(i)), counts.done,
+                counts.seconds);
+    for (std::size_t k = 0; k < lostopos::refusal_count; ++k)
+      if (counts.refused[k] > 0)
+        std::printf(" %zu %s", counts.refused[k], lostopos::name(static_cast<lostopos::Refusal>(k)));
+    std::printf("%s\n", counts.refused_in_all() == 0 ? " none" : "");
+  }
+  const lostopos::MoveStatistics& m = outcome.move;
+  std::printf("%-18s %10zu found, %zu proximities, %zu impulses, %zu inelastic and %zu rigid zones, %zu halved steps\n",
+              "collisions", m.collisions, m.proximities, m.impulses, m.inelastic_zones, m.rigid_zones, m.halvings);
+}
+
 void print_active(const Scene& scene) {
   std::string effects;
   for (const std::string& effect : scene.options.words("effects")) effects += (effects.empty() ? "" : ", ") + effect;
@@ -71,7 +86,10 @@ int run(const Arguments& arguments, const std::string& command) {
     std::fprintf(stderr, "foamsim: the simulation cannot go on: %s\nfoamsim: the last good state is %s\n",
                  outcome.message.c_str(), outcome.last_frame.c_str());
   if (!given.quiet) print_summary(outcome);
-  if (given.explain) print_stages(outcome);
+  if (given.explain) {
+    print_stages(outcome);
+    print_tracker(outcome);
+  }
   return exit_code_of(outcome);
 }
 

@@ -19,6 +19,13 @@ void require_usable(const SurfaceMesh& mesh, const SimulationOptions& options) {
   if (options.delta < 0 || options.resolution < 0) throw lostopos::InputError("delta and resolution have to be >= 0");
 }
 
+lostopos::SurfaceTracker make_tracker(SurfaceMesh mesh, const SimulationOptions& options) {
+  require_usable(mesh, options);
+  lostopos::TrackerOptions tracker = options.tracker;
+  tracker.resolution = resolved_resolution(options, mesh);
+  return lostopos::SurfaceTracker(std::move(mesh), tracker);
+}
+
 }  // namespace
 
 double resolved_resolution(const SimulationOptions& options, const SurfaceMesh& mesh) {
@@ -27,12 +34,14 @@ double resolved_resolution(const SimulationOptions& options, const SurfaceMesh& 
 
 Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects)
     : options_(options),
-      tracker_((require_usable(mesh, options), std::move(mesh))),
-      circulation_(tracker_.mesh()),
+      tracker_(make_tracker(std::move(mesh), options)),
+      circulation_(std::make_unique<CirculationField>(tracker_.mesh())),
+      transfer_(std::make_unique<CirculationTransfer>(*circulation_)),
       effects_(std::move(effects)),
       velocity_(make_biot_savart("direct")),
-      resolution_(resolved_resolution(options, tracker_.mesh())),
+      resolution_(tracker_.options().resolution),
       delta_(options.delta > 0 ? options.delta : 0.75 * resolution_) {
+  tracker_.add_observer(*transfer_);
   geometry_.update(tracker_.mesh());
 }
 
@@ -55,7 +64,13 @@ StepReport Simulation::step() {
   }
   {
     const StageTimer timer(report.times, "move");
-    tracker_.advance(predicted_);
+    const lostopos::MoveResult moved = tracker_.advance(predicted_);
+    report.motion_fraction = moved.fraction;
+    report.move = moved.statistics;
+  }
+  if (options_.tracker.remeshing) {
+    const StageTimer timer(report.times, "remesh");
+    report.remesh = tracker_.remesh();
   }
   {
     const StageTimer timer(report.times, "geometry");
@@ -70,12 +85,12 @@ void Simulation::apply_effects(StageTimes& times) {
   const EffectStep step{tracker_.mesh(), geometry_, time(), options_.dt};
   for (const auto& effect : effects_) {
     const StageTimer timer(times, effect->name());
-    effect->update_circulation(step, circulation_);
+    effect->update_circulation(step, *circulation_);
   }
 }
 
 std::vector<double> Simulation::gather_circulation() {
-  gather_sheet(tracker_.mesh(), circulation_, sheet_);
+  gather_sheet(tracker_.mesh(), *circulation_, sheet_);
   return circulation_without_region_constants(tracker_.mesh(), sheet_, tracker_.mesh().positions());
 }
 

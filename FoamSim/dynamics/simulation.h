@@ -6,6 +6,7 @@
 #include "FoamSim/dynamics/integrator.h"
 #include "FoamSim/effects/effect.h"
 #include "FoamSim/metrics/stage_times.h"
+#include "FoamSim/sheet/circulation_transfer.h"
 #include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/surface_geometry.h"
 #include "LosTopos/surface_tracker.h"
@@ -17,6 +18,8 @@ struct SimulationOptions {
   double delta = 0;       ///< Biot–Savart regularisation δ, L; 0: 0.75 h̄
   double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
   Integrator integrator = Integrator::euler;
+  /// How the surface is moved and remeshed; its resolution is set to h̄. Nothing is remeshed unless it says so.
+  lostopos::TrackerOptions tracker = {.remeshing = false};
 };
 
 /// h̄: options.resolution, or the mean over the mesh's edges where that is 0.
@@ -35,6 +38,9 @@ struct StepReport {
   lostopos::Vec3 impulse = lostopos::Vec3::Zero();
   double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
   long velocity_evaluations = 0;
+  double motion_fraction = 1;         ///< of the predicted motion that the tracker could do
+  lostopos::MoveStatistics move;      ///< collisions found and answered
+  lostopos::RemeshStatistics remesh;  ///< operations done and refused
 };
 
 /// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: METHOD "One time step".
@@ -45,13 +51,13 @@ class Simulation {
   Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options,
              std::vector<std::unique_ptr<Effect>> effects);
 
-  /// One step of dt: curvature and other effects on Γ, velocity, predicted positions, the tracker's move. Throws
-  /// lostopos::MotionError when the surface cannot be moved; positions are then those before the step.
+  /// One step of dt: curvature and other effects on Γ, velocity, predicted positions, the tracker's move, remeshing.
+  /// Throws lostopos::MotionError when the surface cannot be moved; positions are then those before the step.
   StepReport step();
 
   const lostopos::SurfaceMesh& mesh() const { return tracker_.mesh(); }
-  const CirculationField& circulation() const { return circulation_; }
-  CirculationField& circulation() { return circulation_; }
+  const CirculationField& circulation() const { return *circulation_; }
+  CirculationField& circulation() { return *circulation_; }
   /// Areas, angles and region lists of the surface as it is now.
   const SurfaceGeometry& geometry() const { return geometry_; }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
@@ -73,7 +79,8 @@ class Simulation {
 
   SimulationOptions options_;
   lostopos::SurfaceTracker tracker_;
-  CirculationField circulation_;
+  std::unique_ptr<CirculationField> circulation_;
+  std::unique_ptr<CirculationTransfer> transfer_;
   std::vector<std::unique_ptr<Effect>> effects_;
   SheetVelocity velocity_;
   SurfaceGeometry geometry_;

@@ -35,6 +35,22 @@ double smallest_triangle_angle(const lostopos::SurfaceMesh& mesh) {
   return smallest * 180 / std::numbers::pi;
 }
 
+namespace {
+
+void take_tracker_counts(const StepReport& report, Metrics& m) {
+  using lostopos::Operation;
+  m.motion_fraction = report.motion_fraction;
+  m.splits = report.remesh[Operation::split].done;
+  m.collapses = report.remesh[Operation::collapse].done;
+  m.flips = report.remesh[Operation::flip].done;
+  m.smoothings = report.remesh[Operation::smoothing].done;
+  for (const lostopos::OperationCounts& counts : report.remesh.operations) m.refusals += counts.refused_in_all();
+  m.collisions = report.move.collisions;
+  m.impact_zones = report.move.inelastic_zones + report.move.rigid_zones;
+}
+
+}  // namespace
+
 Metrics measure(const Simulation& simulation, const StepReport& report, double step_seconds,
                 const std::vector<RegionVolume>& start_volumes) {
   const lostopos::SurfaceMesh& mesh = simulation.mesh();
@@ -59,6 +75,7 @@ Metrics measure(const Simulation& simulation, const StepReport& report, double s
   m.triangle_angle_min_deg = smallest_triangle_angle(mesh);
   m.step_seconds = step_seconds;
   m.velocity_evaluations = report.velocity_evaluations;
+  take_tracker_counts(report, m);
   return m;
 }
 

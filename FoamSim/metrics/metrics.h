@@ -20,11 +20,15 @@ struct Metrics {
   double impulse_scale = 0;                          ///< Σ|2Γ̄ area|, L⁴/T
   lostopos::Vec3 centroid = lostopos::Vec3::Zero();  ///< area-weighted over films, L
   std::optional<double> angle_rms_deg, angle_outer_mean_deg;
-  double volume_drift_max = 0;                  ///< largest |V/V0 − 1| over regions but the air
-  double triangle_angle_min_deg = 0;            ///< smallest corner angle of any triangle
-  long t1_count = 0, snap_count = 0;            ///< since the start
-  double step_seconds = 0;                      ///< wall time of the step
-  long velocity_evaluations = 0;                ///< in the step
+  double volume_drift_max = 0;        ///< largest |V/V0 − 1| over regions but the air
+  double triangle_angle_min_deg = 0;  ///< smallest corner angle of any triangle
+  long t1_count = 0, snap_count = 0;  ///< since the start
+  double step_seconds = 0;            ///< wall time of the step
+  long velocity_evaluations = 0;      ///< in the step
+  double motion_fraction = 1;         ///< of the predicted motion that the tracker could do
+  /// In the step: remeshing operations done, refused in all, collisions answered.
+  std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
+  std::size_t collisions = 0, impact_zones = 0;
   std::vector<lostopos::RegionVolume> volumes;  ///< L³, for volumes.csv
 };
 

@@ -54,6 +54,14 @@ const std::vector<Column>& columns() {
       {"potential_energy", [](const Metrics& m) { return text(m.potential_energy); }},
       {"impulse_scale", [](const Metrics& m) { return text(m.impulse_scale); }},
       {"velocity_evaluations", [](const Metrics& m) { return text(m.velocity_evaluations); }},
+      {"motion_fraction", [](const Metrics& m) { return text(m.motion_fraction); }},
+      {"splits", [](const Metrics& m) { return text(m.splits); }},
+      {"collapses", [](const Metrics& m) { return text(m.collapses); }},
+      {"flips", [](const Metrics& m) { return text(m.flips); }},
+      {"smoothings", [](const Metrics& m) { return text(m.smoothings); }},
+      {"refusals", [](const Metrics& m) { return text(m.refusals); }},
+      {"collisions", [](const Metrics& m) { return text(m.collisions); }},
+      {"impact_zones", [](const Metrics& m) { return text(m.impact_zones); }},
   };
   return all;
 }

@@ -30,6 +30,34 @@ ordered_json times_json(const StageTimes& times) {
   return stages;
 }
 
+// Operations done, and refused by reason; and the edges that stayed out of bounds by the reason why.
+ordered_json remeshing_json(const lostopos::RemeshStatistics& statistics) {
+  const auto by_reason = [](const auto& counts) {
+    ordered_json reasons = ordered_json::object();
+    for (std::size_t i = 0; i < lostopos::refusal_count; ++i)
+      if (counts[i] > 0) reasons[lostopos::name(static_cast<lostopos::Refusal>(i))] = counts[i];
+    return reasons;
+  };
+  ordered_json value = ordered_json::object();
+  for (std::size_t i = 0; i < lostopos::operation_count; ++i) {
+    const lostopos::OperationCounts& counts = statistics.operations[i];
+    value[lostopos::name(static_cast<lostopos::Operation>(i))] = {
+        {"done", counts.done}, {"seconds", counts.seconds}, {"refused", by_reason(counts.refused)}};
+  }
+  value["edges_left_too_long"] = by_reason(statistics.too_long.refused);
+  value["edges_left_too_short"] = by_reason(statistics.too_short.refused);
+  return value;
+}
+
+ordered_json collisions_json(const lostopos::MoveStatistics& m) {
+  return {{"proximities", m.proximities},  {"collisions", m.collisions},
+          {"impulses", m.impulses},        {"inelastic_zones", m.inelastic_zones},
+          {"rigid_zones", m.rigid_zones},  {"largest_zone", m.largest_zone},
+          {"halvings", m.halvings},        {"broad_phase_seconds", m.broad_phase_seconds},
+          {"ccd_seconds", m.ccd_seconds},  {"impulse_seconds", m.impulse_seconds},
+          {"zone_seconds", m.zone_seconds}};
+}
+
 }  // namespace
 
 void write_run_json(const std::filesystem::path& file, const Scene& scene, const RunSettings& settings,
@@ -49,6 +77,8 @@ void write_run_json(const std::filesystem::path& file, const Scene& scene, const
                            {"time", outcome.last.time},
                            {"wall_seconds", outcome.wall_seconds},
                            {"stage_seconds", times_json(outcome.times)},
+                           {"remeshing", remeshing_json(outcome.remesh)},
+                           {"collisions", collisions_json(outcome.move)},
                            {"last_frame", outcome.last_frame.filename().string()}};
   lostopos::AtomicFile out(file);
   out.stream() << value.dump(2) << '\n';

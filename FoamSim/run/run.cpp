@@ -135,6 +135,8 @@ class Run {
       writer_.write_step(start_.scene, start_.simulation, outcome_.last, start_.volumes, start_.centroid);
     }
     outcome_.times.add(report.times);
+    outcome_.remesh += report.remesh;
+    outcome_.move += report.move;
     return true;
   }
 

@@ -35,6 +35,8 @@ struct RunOutcome {
   Metrics start, last;
   lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();
   StageTimes times;
+  lostopos::RemeshStatistics remesh;  ///< summed over all steps
+  lostopos::MoveStatistics move;
   double wall_seconds = 0;
   std::filesystem::path directory, last_frame, checkpoint;
 };

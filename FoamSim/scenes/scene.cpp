@@ -1,6 +1,7 @@
 #include "FoamSim/scenes/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "FoamSim/effects/registry.h"
@@ -24,7 +25,8 @@ std::vector<OptionSpec> general_option_specs() {
   return {
       whole_number("n", 3, 0, "size of the built-in shape (see 'foamsim scenes')"),
       whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
-      non_negative_number("amplitude", 0.02, "sphere: the mode's amplitude over the radius"),
+      {"amplitude", 0.02, "sphere: the mode's amplitude over the radius", "a number between -1 and 1",
+       [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
       positive_number("dt", 0.01, "length of a step, T"),
       non_negative_number("time", 4, "simulated time, T"),
       non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
@@ -38,6 +40,47 @@ std::vector<OptionSpec> general_option_specs() {
       flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
       whole_number("seed", 0, 0, "seed of everything random"),
   };
+}
+
+// Bounds of the tracker (METHOD "Moving without intersection" and "Remeshing and topology"), relative to h̄.
+std::vector<OptionSpec> tracker_option_specs() {
+  const lostopos::TrackerOptions d;
+  return {
+      flag("tracker.collisions", d.collisions, "keep the films from intersecting"),
+      non_negative_number("tracker.proximity", d.proximity_epsilon,
+                          "films nearer than this are pushed apart, in resolutions"),
+      flag("remeshing.enabled", true, "split, collapse, flip and smooth triangles after every step"),
+      whole_number("remeshing.iterations", d.remeshing_iterations, 1, "remeshing passes a step"),
+      positive_number("remeshing.shortest_edge", d.remesh.shortest_edge, "shorter edges are collapsed, in resolutions"),
+      positive_number("remeshing.longest_edge", d.remesh.longest_edge, "longer edges are split, in resolutions"),
+      positive_number("remeshing.min_area", d.remesh.min_area, "no smaller triangle is made, in resolutions squared"),
+      positive_number("remeshing.min_angle", d.remesh.min_angle, "no smaller angle is made, degrees"),
+      positive_number("remeshing.max_angle", d.remesh.max_angle, "no larger angle is made, degrees"),
+      positive_number("remeshing.split_angle", d.remesh.split_angle,
+                      "the edge opposite to a larger angle is split, degrees"),
+      positive_number("remeshing.max_volume_change", d.remesh.max_volume_change,
+                      "largest change of a volume by an operation, in resolutions cubed"),
+      flag("remeshing.smoothing", d.remesh.smoothing, "smooth badly shaped triangles along the films"),
+      flag("remeshing.butterfly", d.remesh.use_butterfly, "curved positions for new vertices; false: midpoints"),
+  };
+}
+
+lostopos::TrackerOptions tracker_options(const OptionSet& options) {
+  lostopos::TrackerOptions tracker;
+  tracker.collisions = options.flag("tracker.collisions");
+  tracker.proximity_epsilon = options.number("tracker.proximity");
+  tracker.remeshing = options.flag("remeshing.enabled");
+  tracker.remeshing_iterations = static_cast<int>(options.whole("remeshing.iterations"));
+  tracker.remesh.shortest_edge = options.number("remeshing.shortest_edge");
+  tracker.remesh.longest_edge = options.number("remeshing.longest_edge");
+  tracker.remesh.min_area = options.number("remeshing.min_area");
+  tracker.remesh.min_angle = options.number("remeshing.min_angle");
+  tracker.remesh.max_angle = options.number("remeshing.max_angle");
+  tracker.remesh.split_angle = options.number("remeshing.split_angle");
+  tracker.remesh.max_volume_change = options.number("remeshing.max_volume_change");
+  tracker.remesh.smoothing = options.flag("remeshing.smoothing");
+  tracker.remesh.use_butterfly = options.flag("remeshing.butterfly");
+  return tracker;
 }
 
 void require_known_names(const OptionSet& options) {
@@ -58,6 +101,7 @@ SurfaceMesh start_surface(const Scene& scene, lostopos::PairValues* circulation)
 
 std::vector<OptionSpec> scene_option_specs() {
   std::vector<OptionSpec> specs = general_option_specs();
+  for (OptionSpec& spec : tracker_option_specs()) specs.push_back(std::move(spec));
   for (const EffectEntry& effect : effect_entries())
     specs.insert(specs.end(), effect.options.begin(), effect.options.end());
   return specs;
@@ -99,7 +143,8 @@ SimulationOptions simulation_options(const OptionSet& options) {
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
-          .integrator = integrator_by_name(options.word("integrator"))};
+          .integrator = integrator_by_name(options.word("integrator")),
+          .tracker = tracker_options(options)};
 }
 
 Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution) {

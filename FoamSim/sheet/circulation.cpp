@@ -55,31 +55,47 @@ void CirculationField::set(Vertex v, Labels pq, double value) {
     values.insert(it, {pair, stored});
 }
 
+void CirculationField::interpolate(Vertex into, Vertex a, Vertex b, double t) {
+  VertexValues mixed = values_[a];
+  for (PairCirculation& held : mixed)
+    if (const auto other = value_of(values_[b], held.pair)) held.value = (1 - t) * held.value + t * *other;
+  for (const PairCirculation& held : values_[b])
+    if (const auto it = find(mixed, held.pair); it == mixed.end() || it->pair != held.pair) mixed.insert(it, held);
+  values_[into] = std::move(mixed);
+}
+
 void CirculationField::match(const SurfaceMesh& mesh) {
+  std::vector<Vertex> all;
+  all.reserve(mesh.vertex_count());
+  for (Vertex v : mesh.vertices()) all.push_back(v);
+  match(mesh, all);
+}
+
+void CirculationField::match(const SurfaceMesh& mesh, std::span<const Vertex> vertices) {
   // Two passes, so that a mean over neighbours never depends on the order in which vertices are visited.
-  std::vector<std::pair<Vertex, VertexValues>> changed;
-  for (Vertex v : mesh.vertices()) {
+  boost::container::small_vector<std::pair<Vertex, VertexValues>, 4> changed;
+  for (Vertex v : vertices) {
     const auto pairs = pairs_meeting_at(mesh, v);
     if (std::ranges::equal(pairs, values_[v], {}, {}, &PairCirculation::pair)) continue;
     VertexValues matched;
     for (RegionPair pair : pairs) {
-      double sum = 0;
-      int holders = 0;
-      if (const auto own = value_of(values_[v], pair)) {
-        sum = *own;
-        holders = 1;
-      } else {
-        for (Edge e : mesh.edges(v))
-          if (const auto near = value_of(values_[mesh.other_vertex(e, v)], pair)) {
-            sum += *near;
-            ++holders;
-          }
-      }
-      matched.push_back({pair, holders > 0 ? sum / holders : 0.0});
+      const auto own = value_of(values_[v], pair);
+      matched.push_back({pair, own ? *own : mean_of_neighbours(mesh, v, pair)});
     }
     changed.emplace_back(v, std::move(matched));
   }
   for (auto& [v, values] : changed) values_[v] = std::move(values);
+}
+
+double CirculationField::mean_of_neighbours(const SurfaceMesh& mesh, Vertex v, RegionPair pair) const {
+  double sum = 0;
+  int holders = 0;
+  for (Edge e : mesh.edges(v))
+    if (const auto near = value_of(values_[mesh.other_vertex(e, v)], pair)) {
+      sum += *near;
+      ++holders;
+    }
+  return holders > 0 ? sum / holders : 0.0;
 }
 
 std::size_t CirculationField::memory_bytes() const {

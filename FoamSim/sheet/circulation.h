@@ -32,14 +32,22 @@ class CirculationField {
   std::span<const PairCirculation> at(lostopos::Vertex v) const { return {values_[v].data(), values_[v].size()}; }
   std::span<PairCirculation> at(lostopos::Vertex v) { return {values_[v].data(), values_[v].size()}; }
 
+  /// Writes to `into` the pairs of a and b: (1 − t) Γ_a + t Γ_b where both hold one, else the value of the one that
+  /// does. `into` may be a or b.
+  void interpolate(lostopos::Vertex into, lostopos::Vertex a, lostopos::Vertex b, double t);
+
   /// Makes every vertex hold exactly the pairs that have a triangle there: others are dropped, missing ones become the
   /// mean of the neighbours that hold them, or 0 where none does. Call after the connectivity changed.
   void match(const lostopos::SurfaceMesh& mesh);
+  /// The same for these vertices only.
+  void match(const lostopos::SurfaceMesh& mesh, std::span<const lostopos::Vertex> vertices);
 
   /// Bytes of all values, on and off the heap.
   std::size_t memory_bytes() const;
 
  private:
+  double mean_of_neighbours(const lostopos::SurfaceMesh& mesh, lostopos::Vertex v, RegionPair pair) const;
+
   lostopos::VertexAttribute<VertexValues> values_;
 };
 

@@ -51,6 +51,7 @@ double chosen_dt(double sigma, double delta, double omega) {
 Simulation make_simulation(ModeOptions& o, double omega) {
   lostopos::SurfaceMesh mesh = perturbed_sphere(o);
   SimulationOptions simulation{.integrator = Integrator::rk4};
+  simulation.tracker.collisions = false;  // a convex bubble meets nothing
   simulation.delta = 0.75 * resolved_resolution(simulation, mesh);
   if (o.dt == 0) o.dt = chosen_dt(o.sigma, simulation.delta, omega);
   simulation.dt = o.dt;

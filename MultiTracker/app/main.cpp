@@ -16,6 +16,8 @@ constexpr int exit_bad_input = 2, exit_failed = 3;
 struct Arguments {
   std::string scene, mesh, out;
   long subdivisions = 3, steps = 300;
+  double resolution = 0;
+  bool fixed = false;
 };
 
 double enclosed_volume(const lostopos::SurfaceMesh& mesh) {
@@ -33,20 +35,25 @@ void run(const Arguments& arguments) {
   if (!arguments.out.empty() && lostopos::find_mesh_format(arguments.out) == nullptr)
     throw lostopos::InputError("--out " + arguments.out + " is not a mesh file; known are " +
                                lostopos::mesh_extensions());
-  lostopos::SurfaceTracker tracker(arguments.mesh.empty() ? scene.surface(arguments.subdivisions)
-                                                          : lostopos::to_mesh(lostopos::read_surface(arguments.mesh)));
+  if (!(arguments.resolution >= 0)) throw lostopos::InputError("--resolution has to be a number >= 0");
+  lostopos::SurfaceMesh start_mesh = arguments.mesh.empty() ? scene.surface(arguments.subdivisions)
+                                                            : lostopos::to_mesh(lostopos::read_surface(arguments.mesh));
+  lostopos::TrackerOptions options;
+  options.resolution = arguments.resolution > 0 ? arguments.resolution : lostopos::mean_edge_length(start_mesh);
+  options.remeshing = !arguments.fixed;
+  const std::size_t start_triangles = start_mesh.triangle_count();
+  lostopos::SurfaceTracker tracker(std::move(start_mesh), options);
   const auto flow = scene.flow();
-  const std::vector<lostopos::Vec3> start(tracker.mesh().positions().begin(), tracker.mesh().positions().end());
   const double volume = enclosed_volume(tracker.mesh()), dt = flow->period() / static_cast<double>(arguments.steps);
-  for (long step = 0; step < arguments.steps; ++step)
+  lostopos::RemeshStatistics done;
+  for (long step = 0; step < arguments.steps; ++step) {
     multitracker::advect(tracker, *flow, static_cast<double>(step) * dt, dt);
-  double farthest = 0;
-  for (lostopos::Vertex v : tracker.mesh().vertices())
-    farthest = std::max(farthest, (tracker.mesh().position(v) - start[v.index()]).norm());
-  std::printf("%s: %zu triangles, %ld steps over one period %g\n", scene.name.data(), tracker.mesh().triangle_count(),
-              arguments.steps, flow->period());
-  std::printf("volume %.6g -> %.6g (%+.3e), farthest vertex from its start %.3e\n", volume,
-              enclosed_volume(tracker.mesh()), enclosed_volume(tracker.mesh()) / volume - 1, farthest);
+    done += tracker.remesh();
+  }
+  std::printf("%s: %zu -> %zu triangles, %ld steps over one period %g, %zu remeshing operations\n", scene.name.data(),
+              start_triangles, tracker.mesh().triangle_count(), arguments.steps, flow->period(), done.done_in_all());
+  const double end_volume = enclosed_volume(tracker.mesh());
+  std::printf("volume %.6g -> %.6g (%+.3f%%)\n", volume, end_volume, 100 * (end_volume / volume - 1));
   if (!arguments.out.empty()) lostopos::write_surface(arguments.out, lostopos::from_mesh(tracker.mesh()));
 }
 
@@ -59,6 +66,8 @@ int run_program(int argc, char** argv) {
   command->add_option("--mesh", arguments.mesh, "start from this mesh file instead of the scene's sphere");
   command->add_option("--subdivisions", arguments.subdivisions, "of the scene's sphere")->capture_default_str();
   command->add_option("--steps", arguments.steps, "steps in a period")->capture_default_str();
+  command->add_option("--resolution", arguments.resolution, "target mean edge length; 0: that of the start mesh");
+  command->add_flag("--fixed", arguments.fixed, "no remeshing: the triangles stay what they are");
   command->add_option("--out", arguments.out, "mesh file for the surface at the end");
   command->callback([&arguments] { run(arguments); });
   app.add_subcommand("scenes", "list the scenes")->callback([] {

@@ -30,7 +30,7 @@ double divergence(const Flow& flow, const Vec3& x, double time) {
 }
 
 double farthest_after_one_period(const SceneEntry& scene, long steps) {
-  SurfaceTracker tracker(scene.surface(2));
+  SurfaceTracker tracker(scene.surface(2), {.collisions = false, .remeshing = false, .remesh = {}});
   const std::vector<Vec3> start(tracker.mesh().positions().begin(), tracker.mesh().positions().end());
   const auto flow = scene.flow();
   const double dt = flow->period() / static_cast<double>(steps);
@@ -65,7 +65,7 @@ TEST(Flows, EverySceneComesBackAtFourthOrder) {
 
 TEST(Flows, RotationKeepsShapeAndVolume) {
   const SceneEntry& scene = scene_by_name("rotation");
-  SurfaceTracker tracker(scene.surface(2));
+  SurfaceTracker tracker(scene.surface(2), {.collisions = false, .remeshing = false, .remesh = {}});
   const double volume = lostopos::region_volumes(tracker.mesh()).back().volume;
   const auto flow = scene.flow();
   for (int i = 0; i < 50; ++i) advect(tracker, *flow, 0, flow->period() / 200);

@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -31,9 +32,8 @@ void stitch(SurfaceMesh& mesh, const Ring& outer, const Ring& inner, Labels labe
   auto at = [](const Ring& ring, std::size_t k) { return ring[k % ring.size()]; };
   auto distance = [&mesh](Vertex a, Vertex b) { return (mesh.position(a) - mesh.position(b)).norm(); };
   while (i < outer.size() || j < inner.size()) {
-    const bool advance_outer =
-        j == inner.size() || (i < outer.size() && distance(at(outer, i + 1), at(inner, j)) <=
-                                                      distance(at(outer, i), at(inner, j + 1)));
+    const bool advance_outer = j == inner.size() || (i < outer.size() && distance(at(outer, i + 1), at(inner, j)) <=
+                                                                             distance(at(outer, i), at(inner, j + 1)));
     if (advance_outer) {
       mesh.add_triangle(at(outer, i), at(outer, i + 1), at(inner, j), labels);
       ++i;
@@ -108,6 +108,7 @@ CubeFrame cube_frame(long k) {
     }
     return it->second;
   };
+  vertex({0, 0, 0});
   auto face = [](std::size_t axis, long sign) { return Region(1 + 2 * axis + (sign > 0 ? 1 : 0)); };
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (long su : {-1L, 1L})
@@ -132,11 +133,11 @@ CubeFrame cube_frame(long k) {
 }
 
 bool same_bits(const SurfaceMesh::State& a, const SurfaceMesh::State& b) {
-  const bool same_positions =
-      a.positions.size() == b.positions.size() &&
-      std::ranges::equal(a.positions, b.positions, [](const Vec3& x, const Vec3& y) {
-        return std::memcmp(x.data(), y.data(), 3 * sizeof(double)) == 0;
-      });
+  const bool same_positions = a.positions.size() == b.positions.size() &&
+                              std::ranges::equal(a.positions, b.positions, [](const Vec3& x, const Vec3& y) {
+                                return std::bit_cast<std::array<std::uint64_t, 3>>(std::array{x[0], x[1], x[2]}) ==
+                                       std::bit_cast<std::array<std::uint64_t, 3>>(std::array{y[0], y[1], y[2]});
+                              });
   return same_positions && same_pool(a.vertices, b.vertices) && same_pool(a.edges, b.edges) &&
          same_pool(a.triangles, b.triangles) && same_lists(a.vertex_edges, b.vertex_edges) &&
          same_lists(a.vertex_triangles, b.vertex_triangles) && a.edge_vertices == b.edge_vertices &&

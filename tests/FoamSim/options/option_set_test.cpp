@@ -116,6 +116,14 @@ TEST(OptionSetErrors, ValuesThatAreNotAllowedSayWhatIs) {
   options.set_text("diffusion", "0", "--set");
 }
 
+TEST(OptionSetErrors, NumbersMustBeFiniteEvenWhereNothingElseIsAsked) {
+  OptionSet options({{"x", 0.0, "anything", ""}});
+  for (const char* text : {"nan", "inf", "-inf"})
+    expect_parts(message_of([&] { options.set_text("x", text, "--set"); }), {"--set: x = ", "finite"});
+  options.set_text("x", "-7", "--set");
+  EXPECT_EQ(options.number("x"), -7);
+}
+
 TEST(OptionSetErrors, LeaveTheValueAsItWas) {
   OptionSet options = example();
   options.set_text("dt", "0.5", "--set");

@@ -1,0 +1,255 @@
+#include "LosTopos/collision/broad_phase.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace lostopos {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Levels of cells, each twice the size of the one before; `base_level` suits the median box.
+constexpr int level_count = 64;
+constexpr int base_level = 24;
+// The base level also takes boxes down to 1/8 of what it could take, and so on below: few levels for a query to visit.
+constexpr int levels_per_small_step = 3;
+// Cells of the base level over the median extent: a query then reads some five cells of a dozen triangles each.
+constexpr double cell_per_median_extent = 2.5;
+// Cell coordinates are clamped to this: far away, cells grow into one.
+constexpr double largest_cell_coordinate = 0x1p+40;
+
+std::int64_t cell_coordinate(double x, double inverse_cell) {
+  const double cell = std::floor(x * inverse_cell);
+  if (!(cell > -largest_cell_coordinate)) return -static_cast<std::int64_t>(largest_cell_coordinate);
+  return static_cast<std::int64_t>(std::min(cell, largest_cell_coordinate));
+}
+
+// Box::overlaps without branches, for it is hard to predict.
+bool overlap(const Box& a, const Box& b) {
+  return (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]) & (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]) &
+         (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
+}
+
+// Not less than the exact extent.
+double largest_extent(const Box& box) {
+  return std::nextafter((box.high - box.low).maxCoeff(), infinity);
+}
+
+std::uint64_t mixed(std::uint64_t x) {
+  x ^= x >> 32;
+  x *= 0xd6e8feb86659fd93ULL;
+  x ^= x >> 32;
+  return x;
+}
+
+std::uint64_t cell_hash(int level, std::int64_t x, std::int64_t y, std::int64_t z) {
+  return mixed(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ULL +
+               static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4fULL +
+               static_cast<std::uint64_t>(z) * 0x165667b19e3779f9ULL + static_cast<std::uint64_t>(level));
+}
+
+}  // namespace
+
+// A hashed grid with levels. A box is kept in one cell only, that of its low corner, on a level whose cells are at
+// least twice its size (but for the last level); a query looks at the cells that low corners of boxes which reach it
+// can be in. Cells are lists threaded through the triangles' slots; cells whose hashes coincide share a list, which
+// costs time, not correctness, for every box found is tested.
+struct BroadPhase::Grid {
+  struct Slot {
+    Box box;
+    std::uint32_t next = none, previous = none;                    ///< in the cell
+    std::uint32_t next_in_level = none, previous_in_level = none;  ///< in no particular order
+    std::uint32_t bucket = none;                                   ///< none: the triangle is not held
+    std::int32_t level = 0;
+  };
+  struct Level {
+    std::size_t count = 0;
+    std::uint32_t first = none;
+    double largest_extent = 0;  ///< of the boxes it has held since it was last empty
+    double inverse_cell = 0;
+  };
+
+  std::vector<Slot> slots;
+  std::vector<std::uint32_t> buckets;
+  std::array<Level, level_count> levels;
+  double base_extent = 0;  ///< the largest box of the base level
+  std::size_t held = 0;
+
+  bool holds(std::uint32_t slot) const { return slot < slots.size() && slots[slot].bucket != none; }
+
+  int level_of(double extent) const {
+    const double ratio = extent / base_extent;
+    if (!(ratio < 0x1p+39)) return level_count - 1;
+    if (ratio <= 0x1p-24) return 0;
+    int up = std::ilogb(ratio);
+    if (std::ldexp(1.0, up) < ratio) ++up;  // rounded up
+    if (up < 0) up = -(-up / levels_per_small_step) * levels_per_small_step;
+    return std::clamp(base_level + up, 0, level_count - 1);
+  }
+
+  std::uint32_t bucket_of(int level, const Vec3& low) const {
+    const double inverse_cell = levels[static_cast<std::size_t>(level)].inverse_cell;
+    return static_cast<std::uint32_t>(cell_hash(level, cell_coordinate(low[0], inverse_cell),
+                                                cell_coordinate(low[1], inverse_cell),
+                                                cell_coordinate(low[2], inverse_cell)) &
+                                      (buckets.size() - 1));
+  }
+
+  void link(std::uint32_t index) {
+    Slot& slot = slots[index];
+    const double extent = largest_extent(slot.box);
+    slot.level = level_of(extent);
+    Level& level = levels[static_cast<std::size_t>(slot.level)];
+    level.largest_extent = level.count == 0 ? extent : std::max(level.largest_extent, extent);
+    ++level.count;
+    slot.bucket = bucket_of(slot.level, slot.box.low);
+    slot.previous = none;
+    slot.next = std::exchange(buckets[slot.bucket], index);
+    if (slot.next != none) slots[slot.next].previous = index;
+    slot.previous_in_level = none;
+    slot.next_in_level = std::exchange(level.first, index);
+    if (slot.next_in_level != none) slots[slot.next_in_level].previous_in_level = index;
+    ++held;
+  }
+
+  void unlink(std::uint32_t index) {
+    Slot& slot = slots[index];
+    (slot.previous == none ? buckets[slot.bucket] : slots[slot.previous].next) = slot.next;
+    if (slot.next != none) slots[slot.next].previous = slot.previous;
+    Level& level = levels[static_cast<std::size_t>(slot.level)];
+    (slot.previous_in_level == none ? level.first : slots[slot.previous_in_level].next_in_level) = slot.next_in_level;
+    if (slot.next_in_level != none) slots[slot.next_in_level].previous_in_level = slot.previous_in_level;
+    slot.bucket = none;
+    --level.count;
+    --held;
+  }
+
+  // Sizes cells after the median of the held boxes (with `more` to come), and links them all anew.
+  void rebuild(std::size_t more) {
+    std::vector<double> extents;
+    extents.reserve(held);
+    for (const Slot& slot : slots) {
+      if (slot.bucket != none) extents.push_back(largest_extent(slot.box));
+    }
+    base_extent = 1;
+    if (!extents.empty()) {
+      const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
+      std::nth_element(extents.begin(), middle, extents.end());
+      base_extent = std::clamp(*middle * cell_per_median_extent / 2, 0x1p-900, 0x1p+900);
+    }
+    for (int i = 0; i < level_count; ++i) {
+      levels[static_cast<std::size_t>(i)] = {0, none, 0, 1 / (2 * std::ldexp(base_extent, i - base_level))};
+    }
+    std::size_t size = 64;
+    while (size < held + more) size *= 2;
+    buckets.assign(size, none);
+    held = 0;
+    for (std::uint32_t i = static_cast<std::uint32_t>(slots.size()); i-- > 0;) {
+      if (slots[i].bucket != none) link(i);
+    }
+  }
+
+  void append_bucket(std::uint32_t head, const Box& box, std::vector<Triangle>& found) const {
+    for (std::uint32_t i = head; i != none; i = slots[i].next) {
+      if (overlap(slots[i].box, box)) found.push_back(Triangle(i));
+    }
+  }
+
+  void append_level(int index, const Box& box, std::vector<Triangle>& found) const {
+    const Level& level = levels[static_cast<std::size_t>(index)];
+    std::array<std::int64_t, 3> from, to;
+    double cells = 1;
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      // Rounding is monotone, so no low corner of a box that reaches the query is in a cell before this one.
+      from[axis] = cell_coordinate(box.low[i] - level.largest_extent, level.inverse_cell);
+      to[axis] = cell_coordinate(box.high[i], level.inverse_cell);
+      cells *= static_cast<double>(to[axis] - from[axis]) + 1;
+    }
+    if (cells >= static_cast<double>(level.count)) {
+      for (std::uint32_t i = level.first; i != none; i = slots[i].next_in_level) {
+        if (overlap(slots[i].box, box)) found.push_back(Triangle(i));
+      }
+      return;
+    }
+    const std::size_t mask = buckets.size() - 1;
+    for (std::int64_t x = from[0]; x <= to[0]; ++x) {
+      for (std::int64_t y = from[1]; y <= to[1]; ++y) {
+        for (std::int64_t z = from[2]; z <= to[2]; ++z)
+          append_bucket(buckets[cell_hash(index, x, y, z) & mask], box, found);
+      }
+    }
+  }
+};
+
+BroadPhase::BroadPhase() : grid_(std::make_unique<Grid>()) {}
+BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
+BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
+BroadPhase::~BroadPhase() = default;
+
+void BroadPhase::build(const SurfaceMesh& mesh, std::span<const Vec3> from, std::span<const Vec3> to, double margin) {
+  Grid& grid = *grid_;
+  grid.slots.assign(mesh.triangle_slots(), {});
+  grid.held = 0;
+  for (Triangle t : mesh.triangles()) {
+    Box box = triangle_box(mesh, t, from, margin);
+    if (from.data() != to.data()) {
+      const Box end = triangle_box(mesh, t, to, margin);
+      box = {box.low.cwiseMin(end.low), box.high.cwiseMax(end.high)};
+    }
+    grid.slots[t.index()].box = box;
+    grid.slots[t.index()].bucket = 0;  // to be linked
+    ++grid.held;
+  }
+  grid.rebuild(0);
+}
+
+void BroadPhase::set(Triangle t, const Box& box) {
+  Grid& grid = *grid_;
+  if (t.index() >= grid.slots.size()) grid.slots.resize(t.index() + std::size_t{1});
+  if (grid.holds(t.index())) grid.unlink(t.index());
+  // Doubling keeps the cost of it constant for each triangle taken in.
+  if (grid.buckets.size() <= grid.held) grid.rebuild(grid.held + 1);
+  grid.slots[t.index()].box = box;
+  grid.link(t.index());
+}
+
+void BroadPhase::remove(Triangle t) {
+  if (grid_->holds(t.index())) grid_->unlink(t.index());
+}
+
+void BroadPhase::query_unsorted(const Box& box, std::vector<Triangle>& found) const {
+  for (int level = 0; level < level_count; ++level) {
+    if (grid_->levels[static_cast<std::size_t>(level)].count > 0) grid_->append_level(level, box, found);
+  }
+}
+
+void BroadPhase::query(const Box& box, std::vector<Triangle>& found) const {
+  const auto before = static_cast<std::ptrdiff_t>(found.size());
+  query_unsorted(box, found);
+  std::sort(found.begin() + before, found.end());
+  found.erase(std::unique(found.begin() + before, found.end()), found.end());
+}
+
+const Box& BroadPhase::box(Triangle t) const {
+  return grid_->slots[t.index()].box;
+}
+
+std::size_t BroadPhase::memory_bytes() const {
+  return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) +
+         grid_->buckets.capacity() * sizeof(std::uint32_t);
+}
+
+Box triangle_box(const SurfaceMesh& mesh, Triangle t, std::span<const Vec3> positions, double margin) {
+  const auto& [a, b, c] = mesh.vertices(t);
+  const Vec3& pa = positions[a.index()];
+  const Vec3& pb = positions[b.index()];
+  const Vec3& pc = positions[c.index()];
+  return {(pa.cwiseMin(pb).cwiseMin(pc).array() - margin).matrix(),
+          (pa.cwiseMax(pb).cwiseMax(pc).array() + margin).matrix()};
+}
+
+}  // namespace lostopos

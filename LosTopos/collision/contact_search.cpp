@@ -1,0 +1,261 @@
+#include "LosTopos/collision/contact_search.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace lostopos {
+namespace {
+
+// Triangles that are searched at a time: their pairs stay in the cache until they are tested.
+constexpr std::size_t batch = 64;
+// Triangles between two looks at whether there are too many contacts; and pairs a triangle that make them fewer.
+constexpr std::size_t smallest_block = batch;
+constexpr std::size_t largest_block = 8192;
+constexpr std::size_t many_pairs = 50;
+// Distances are good to some 20 units in the last place of the pair's extent, which is two boxes at most.
+constexpr double distance_error = 1e-12;
+constexpr double least_gap_over_proximity = 1e-3;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+// Box::overlaps without branches.
+bool overlap(const Box& a, const Box& b) {
+  return (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]) & (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]) &
+         (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
+}
+
+Box swept_box(const Motion& motion, Vertex v, double margin) {
+  const Vec3& start = motion.starts()[v.index()];
+  const Vec3& end = motion.ends()[v.index()];
+  return {(start.cwiseMin(end).array() - margin).matrix(), (start.cwiseMax(end).array() + margin).matrix()};
+}
+
+Box united(const Box& a, const Box& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+void sort_by_pair(std::vector<Contact>& contacts) {
+  std::ranges::sort(contacts, {}, &Contact::pair);
+  const auto repeated = std::ranges::unique(contacts, {}, &Contact::pair);
+  contacts.erase(repeated.begin(), repeated.end());
+}
+
+}  // namespace
+
+struct ContactSearch::Scratch {
+  std::vector<Triangle> near;
+  std::vector<ElementPair> pairs;
+  FoundContacts found;
+  std::size_t pair_count = 0;
+  double broad_phase_seconds = 0;
+  double ccd_seconds = 0;
+};
+
+struct ContactSearch::Scratches {
+  tbb::enumerable_thread_specific<Scratch> of_threads;
+};
+
+ContactSearch::ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon,
+                             MoveStatistics& statistics)
+    : mesh_(mesh),
+      motion_(motion),
+      statistics_(statistics),
+      scale_{proximity_epsilon, proximity_epsilon, least_gap_over_proximity * proximity_epsilon},
+      margin_(0.5 * proximity_epsilon),
+      edge_boxes_(mesh.edge_slots()),
+      owned_(mesh.triangle_slots(), 0),
+      is_subject_(mesh.triangle_slots(), 0) {
+  for (Triangle t : mesh.triangles()) {
+    unsigned owned = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (mesh.triangles(mesh.edges(t)[i])[0] == t) owned |= 1u << i;
+      if (mesh.triangles(mesh.vertices(t)[i])[0] == t) owned |= 8u << i;
+    }
+    owned_[t.index()] = static_cast<unsigned char>(owned);
+  }
+}
+
+FoundContacts ContactSearch::all() {
+  const Clock::time_point start = Clock::now();
+  motion_.forget_changes();
+  subjects_.assign(mesh_.triangles().begin(), mesh_.triangles().end());
+  for (Triangle t : subjects_) is_subject_[t.index()] = 1;
+  for (Edge e : mesh_.edges()) grow_edge_box(e);
+  broad_phase_.build(mesh_, motion_.starts(), motion_.ends(), margin_);
+  set_scale();
+  statistics_.broad_phase_seconds += seconds_between(start, Clock::now());
+  return search(false);
+}
+
+FoundContacts ContactSearch::again() {
+  const Clock::time_point start = Clock::now();
+  for (Vertex v : motion_.changed()) {
+    for (Triangle t : mesh_.triangles(v)) {
+      if (!is_subject_[t.index()]) subjects_.push_back(t);
+      is_subject_[t.index()] = 1;
+    }
+  }
+  update_boxes();
+  statistics_.broad_phase_seconds += seconds_between(start, Clock::now());
+  FoundContacts found = search(true);
+  motion_.forget_changes();
+  return found;
+}
+
+void ContactSearch::grow_edge_box(Edge e) {
+  const auto& [a, b] = mesh_.vertices(e);
+  edge_boxes_[e.index()] = united(swept_box(motion_, a, margin_), swept_box(motion_, b, margin_));
+}
+
+void ContactSearch::set_scale() {
+  double extent = 0;
+  for (Triangle t : subjects_) {
+    const Box& box = broad_phase_.box(t);
+    extent = std::max(extent, (box.high - box.low).maxCoeff());
+  }
+  scale_.safe = std::max(scale_.proximity, distance_error * extent);
+}
+
+void ContactSearch::update_boxes() {
+  for (Vertex v : motion_.changed()) {
+    for (Edge e : mesh_.edges(v)) grow_edge_box(e);
+  }
+  double extent = 0;
+  for (Triangle t : subjects_) {
+    const auto& [a, b, c] = mesh_.edges(t);
+    const Box box = united(edge_boxes_[a.index()], united(edge_boxes_[b.index()], edge_boxes_[c.index()]));
+    extent = std::max(extent, (box.high - box.low).maxCoeff());
+    broad_phase_.set(t, box);
+  }
+  scale_.safe = std::max(scale_.safe, distance_error * extent);
+}
+
+// Whether to give up is decided between blocks, and so the same for any number of threads. They are small where there
+// are many pairs.
+FoundContacts ContactSearch::search(bool changed_only) {
+  const std::size_t most_pairs = 200'000 + 100 * mesh_.triangle_count();
+  const std::size_t most_collisions = 10'000 + 20 * mesh_.triangle_count();
+  Scratches scratches;
+  FoundContacts found;
+  std::size_t block = smallest_block, pairs = 0;
+  for (std::size_t from = 0; from < subjects_.size() && !found.too_many;) {
+    const std::size_t to = std::min(from + block, subjects_.size());
+    search_block(from, to, changed_only, scratches);
+    const std::size_t pairs_before = pairs;
+    std::size_t collisions = 0;
+    pairs = 0;
+    for (const Scratch& scratch : scratches.of_threads) {
+      pairs += scratch.pair_count;
+      collisions += scratch.found.collisions.size();
+    }
+    found.too_many = pairs > most_pairs || collisions > most_collisions;
+    const bool crowded = pairs - pairs_before > many_pairs * (to - from);
+    block = crowded ? std::max(block / 2, smallest_block) : std::min(2 * block, largest_block);
+    from = to;
+  }
+  gather(scratches, found);
+  for (Triangle t : subjects_) is_subject_[t.index()] = 0;
+  subjects_.clear();
+  return found;
+}
+
+void ContactSearch::gather(const Scratches& scratches, FoundContacts& found) {
+  for (const Scratch& scratch : scratches.of_threads) {
+    append(found.proximities, scratch.found.proximities);
+    append(found.collisions, scratch.found.collisions);
+    statistics_.pairs += scratch.pair_count;
+    statistics_.broad_phase_seconds += scratch.broad_phase_seconds;
+    statistics_.ccd_seconds += scratch.ccd_seconds;
+  }
+  sort_by_pair(found.proximities);
+  sort_by_pair(found.collisions);
+  statistics_.collisions += found.collisions.size();
+}
+
+void ContactSearch::search_block(std::size_t first, std::size_t last, bool changed_only, Scratches& scratches) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, batch), [&](const auto& range) {
+    Scratch& scratch = scratches.of_threads.local();
+    for (std::size_t from = range.begin(); from < range.end(); from += batch) {
+      const Clock::time_point start = Clock::now();
+      scratch.pairs.clear();
+      for (std::size_t i = from; i < std::min(from + batch, range.end()); ++i) {
+        collect(subjects_[i], changed_only, scratch);
+      }
+      const Clock::time_point collected = Clock::now();
+      for (const ElementPair& pair : scratch.pairs) {
+        const PairResult result = test_pair(motion_, pair, scale_);
+        if (result.proximity && !changed_only) scratch.found.proximities.push_back(*result.proximity);
+        if (result.collision) scratch.found.collisions.push_back(*result.collision);
+      }
+      scratch.pair_count += scratch.pairs.size();
+      scratch.broad_phase_seconds += seconds_between(start, collected);
+      scratch.ccd_seconds += seconds_between(collected, Clock::now());
+    }
+  });
+}
+
+void ContactSearch::collect(Triangle t, bool changed_only, Scratch& scratch) const {
+  scratch.near.clear();
+  broad_phase_.query_unsorted(broad_phase_.box(t), scratch.near);
+  for (Triangle u : scratch.near) {
+    // Of two subjects the smaller looks at the other.
+    if (u == t || (is_subject_[u.index()] && u < t)) continue;
+    pair_vertices(t, u, changed_only, scratch);
+    pair_vertices(u, t, changed_only, scratch);
+    pair_edges(t, u, changed_only, scratch);
+  }
+}
+
+// The vertices that belong to t against u.
+void ContactSearch::pair_vertices(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const {
+  const unsigned owned = owned_[t.index()] >> 3u;
+  const auto& [a, b, c] = mesh_.vertices(u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vertex v = mesh_.vertices(t)[i];
+    if ((owned >> i & 1u) == 0 || v == a || v == b || v == c) continue;
+    if (changed_only && !motion_.is_changed(v) && !motion_.is_changed(a) && !motion_.is_changed(b) &&
+        !motion_.is_changed(c))
+      continue;
+    if (!overlap(swept_box(motion_, v, margin_), broad_phase_.box(u))) continue;
+    scratch.pairs.push_back({ElementPair::Kind::vertex_triangle, v.index(), u.index(), {v, a, b, c}});
+  }
+}
+
+// The edges that belong to t against those that belong to u.
+void ContactSearch::pair_edges(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Edge e = mesh_.edges(t)[i];
+    if ((owned_[t.index()] >> i & 1u) == 0 || !overlap(edge_boxes_[e.index()], broad_phase_.box(u))) continue;
+    const auto& [a, b] = mesh_.vertices(e);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Edge f = mesh_.edges(u)[j];
+      if ((owned_[u.index()] >> j & 1u) == 0 || !overlap(edge_boxes_[e.index()], edge_boxes_[f.index()])) continue;
+      const auto& [c, d] = mesh_.vertices(f);
+      if (a == c || a == d || b == c || b == d) continue;
+      if (changed_only && !motion_.is_changed(a) && !motion_.is_changed(b) && !motion_.is_changed(c) &&
+          !motion_.is_changed(d))
+        continue;
+      if (e < f) {
+        scratch.pairs.push_back({ElementPair::Kind::edge_edge, e.index(), f.index(), {a, b, c, d}});
+      } else {
+        scratch.pairs.push_back({ElementPair::Kind::edge_edge, f.index(), e.index(), {c, d, a, b}});
+      }
+    }
+  }
+}
+
+}  // namespace lostopos

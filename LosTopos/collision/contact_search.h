@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "LosTopos/collision/broad_phase.h"
+#include "LosTopos/collision/contact.h"
+#include "LosTopos/collision/motion.h"
+#include "LosTopos/collision/pair_test.h"
+#include "LosTopos/collision/safe_move.h"
+
+namespace lostopos {
+
+struct FoundContacts {
+  std::vector<Contact> proximities;
+  std::vector<Contact> collisions;
+  /// The motion is so wild that the search has been given up: more than 10,000 + 20 collisions a triangle, or 1,000,000
+  /// + 1,000 near pairs a triangle. Then these are only a part.
+  bool too_many = false;
+};
+
+/// Finds what comes too near in a motion: all pairs once, then only pairs of which a vertex has changed. Pairs are
+/// reached through triangles; an edge or a vertex belongs to the first triangle in its list, so that every pair comes
+/// up once. Runs in parallel; results are sorted by pair.
+class ContactSearch {
+ public:
+  /// The mesh and the motion must outlive this; ε_c in L. Counts and times are added to `statistics`.
+  ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon, MoveStatistics& statistics);
+
+  /// Looks at every pair. Forgets the motion's changes.
+  FoundContacts all();
+  /// Looks at the pairs with a changed vertex: all collisions, when there were none among the others at the last
+  /// search. Forgets the motion's changes.
+  FoundContacts again();
+
+ private:
+  struct Scratch;
+  void set_scale();
+  void grow_edge_box(Edge e);
+  void update_boxes();
+  FoundContacts search(bool changed_only);
+  struct Scratches;
+  void search_block(std::size_t first, std::size_t last, bool changed_only, Scratches& scratches);
+  void gather(const Scratches& scratches, FoundContacts& found);
+  void collect(Triangle t, bool changed_only, Scratch& scratch) const;
+  void pair_vertices(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const;
+  void pair_edges(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const;
+
+  const SurfaceMesh& mesh_;
+  Motion& motion_;
+  MoveStatistics& statistics_;
+  ContactScale scale_;
+  double margin_;  // boxes of pairs nearer than ε_c overlap
+  BroadPhase broad_phase_;
+  std::vector<Box> edge_boxes_;
+  std::vector<unsigned char> owned_;  // by triangle: bits 0-2 its edges, 3-5 its vertices that belong to it
+  std::vector<Triangle> subjects_;    // whose pairs are looked at
+  std::vector<char> is_subject_;
+};
+
+}  // namespace lostopos

@@ -1,0 +1,156 @@
+#include "LosTopos/remeshing/invariants/intersection.h"
+
+#include <algorithm>
+
+#include "LosTopos/geometry/predicates.h"
+#include "LosTopos/mesh/measures.h"
+
+namespace lostopos {
+namespace {
+
+Trajectory at_rest(const Vec3& x) {
+  return {x, x};
+}
+
+template <class Handles>
+void sort_unique(Handles& handles) {
+  std::ranges::sort(handles);
+  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
+}
+
+template <class Range>
+bool contains(const Range& range, Vertex v) {
+  return std::ranges::find(range, v) != std::ranges::end(range);
+}
+
+bool shares_a_vertex(std::span<const Vertex> a, std::span<const Vertex> b) {
+  return std::ranges::any_of(a, [&](Vertex v) { return contains(b, v); });
+}
+
+bool holds(const Box& box, const Vec3& x) {
+  return (box.low.array() <= x.array()).all() && (x.array() <= box.high.array()).all();
+}
+
+}  // namespace
+
+void IntersectionGuard::gather(const Box& box, const LeftOut& left_out) {
+  index_.nearby(box, found_);
+  vertex_handles_.clear();
+  edge_handles_.clear();
+  triangles_.clear();
+  for (Triangle t : found_) {
+    const auto& of_triangle = mesh_.vertices(t);
+    const bool gone = left_out.edge.valid() && std::ranges::find(mesh_.edges(t), left_out.edge) != mesh_.edges(t).end();
+    if (!gone && !shares_a_vertex(left_out.vertices, of_triangle))
+      triangles_.push_back({t, triangle_box(mesh_, t, mesh_.positions(), 0)});
+    vertex_handles_.insert(vertex_handles_.end(), of_triangle.begin(), of_triangle.end());
+    edge_handles_.insert(edge_handles_.end(), mesh_.edges(t).begin(), mesh_.edges(t).end());
+  }
+  sort_unique(vertex_handles_);
+  sort_unique(edge_handles_);
+  vertices_.clear();
+  for (Vertex v : vertex_handles_)
+    if (!contains(left_out.vertices, v) && holds(box, mesh_.position(v)))
+      vertices_.push_back({v, at_rest(mesh_.position(v))});
+  edges_.clear();
+  for (Edge e : edge_handles_) {
+    const auto& ends = mesh_.vertices(e);
+    if (e == left_out.edge || shares_a_vertex(left_out.vertices, ends)) continue;
+    const Vec3 &a = mesh_.position(ends[0]), &b = mesh_.position(ends[1]);
+    const Box edge_box{a.cwiseMin(b), a.cwiseMax(b)};
+    if (edge_box.overlaps(box)) edges_.push_back({e, ends, edge_box});
+  }
+}
+
+bool IntersectionGuard::is_free(const StarMotion& motion, const LeftOut& left_out) {
+  gather(motion.box(), left_out);
+  return std::ranges::all_of(motion.triangles(), [this](const auto& t) { return triangle_is_free(t); }) &&
+         std::ranges::all_of(motion.edges(), [this](const auto& e) { return edge_is_free(e); }) &&
+         std::ranges::all_of(motion.points(), [this](const auto& p) { return point_is_free(p); });
+}
+
+bool IntersectionGuard::point_is_free(const MovingPoint& point) const {
+  const Box box{point.path.start.cwiseMin(point.path.end), point.path.start.cwiseMax(point.path.end)};
+  return std::ranges::none_of(triangles_, [&](const StaticTriangle& t) {
+    if (!box.overlaps(t.box)) return false;
+    const auto [a, b, c] = corners(mesh_, t.triangle);
+    return vertex_triangle_collision(point.path, at_rest(a), at_rest(b), at_rest(c)).has_value();
+  });
+}
+
+bool IntersectionGuard::edge_is_free(const StarMotion::MovingEdge& edge) const {
+  const std::array<Vertex, 2> names = {edge.ends[0].vertex, edge.ends[1].vertex};
+  return std::ranges::none_of(edges_, [&](const StaticEdge& e) {
+    if (!edge.box.overlaps(e.box) || shares_a_vertex(names, e.ends)) return false;
+    return edge_edge_collision(edge.ends[0].path, edge.ends[1].path, at_rest(mesh_.position(e.ends[0])),
+                               at_rest(mesh_.position(e.ends[1])))
+        .has_value();
+  });
+}
+
+bool IntersectionGuard::triangle_is_free(const StarMotion::MovingTriangle& triangle) const {
+  const auto& [a, b, c] = triangle.corners;
+  return std::ranges::none_of(vertices_, [&a = a, &b = b, &c = c, &triangle](const StaticVertex& v) {
+    if (v.vertex == a.vertex || v.vertex == b.vertex || v.vertex == c.vertex) return false;
+    return holds(triangle.box, v.path.start) && vertex_triangle_collision(v.path, a.path, b.path, c.path).has_value();
+  });
+}
+
+bool IntersectionGuard::flip_is_free(Edge e, Vertex c, Vertex d) {
+  const auto [a, b] = mesh_.vertices(e);
+  Box box{mesh_.position(a), mesh_.position(a)};
+  for (Vertex v : {b, c, d}) {
+    box.low = box.low.cwiseMin(mesh_.position(v));
+    box.high = box.high.cwiseMax(mesh_.position(v));
+  }
+  gather(box, {{}, e});
+  const std::array<Vertex, 3> at_a = {a, d, c}, at_b = {b, c, d};
+  if (!new_edge_is_free(c, d) || !new_triangle_is_free(at_a) || !new_triangle_is_free(at_b)) return false;
+  if (!tetrahedron_is_empty({a, b, c, d})) return false;
+  for (Vertex v : {c, d})
+    if (!is_not_folded(mesh_.find_edge(a, v), at_a) || !is_not_folded(mesh_.find_edge(b, v), at_b)) return false;
+  return !coplanar_overlap_sharing_edge(mesh_.position(c), mesh_.position(d), mesh_.position(a), mesh_.position(b));
+}
+
+bool IntersectionGuard::new_edge_is_free(Vertex c, Vertex d) const {
+  return std::ranges::none_of(triangles_, [&](const StaticTriangle& t) {
+    const auto& names = mesh_.vertices(t.triangle);
+    if (contains(names, c) || contains(names, d)) return false;
+    const auto [x, y, z] = corners(mesh_, t.triangle);
+    return segment_triangle_intersect(mesh_.position(c), mesh_.position(d), x, y, z) != Contact::none;
+  });
+}
+
+bool IntersectionGuard::new_triangle_is_free(const std::array<Vertex, 3>& triangle) const {
+  return std::ranges::none_of(edges_, [&](const StaticEdge& e) {
+    if (shares_a_vertex(triangle, e.ends)) return false;
+    return segment_triangle_intersect(mesh_.position(e.ends[0]), mesh_.position(e.ends[1]), mesh_.position(triangle[0]),
+                                      mesh_.position(triangle[1]), mesh_.position(triangle[2])) != Contact::none;
+  });
+}
+
+bool IntersectionGuard::tetrahedron_is_empty(const std::array<Vertex, 4>& corners) const {
+  std::array<Vec3, 4> x;
+  for (std::size_t i = 0; i < 4; ++i) x[i] = mesh_.position(corners[i]);
+  const int side = orient3d(x[0], x[1], x[2], x[3]);
+  if (side == 0) return true;  // then the two new triangles are all of it
+  return std::ranges::none_of(vertices_, [&](const StaticVertex& v) {
+    if (contains(corners, v.vertex)) return false;
+    const Vec3& p = v.path.start;
+    return orient3d(p, x[1], x[2], x[3]) * side >= 0 && orient3d(x[0], p, x[2], x[3]) * side >= 0 &&
+           orient3d(x[0], x[1], p, x[3]) * side >= 0 && orient3d(x[0], x[1], x[2], p) * side >= 0;
+  });
+}
+
+// Edge e stays; `triangle` is new there, in place of one of the two that go.
+bool IntersectionGuard::is_not_folded(Edge e, const std::array<Vertex, 3>& triangle) const {
+  const auto& ends = mesh_.vertices(e);
+  const Vertex apex = *std::ranges::find_if(triangle, [&](Vertex v) { return v != ends[0] && v != ends[1]; });
+  return std::ranges::none_of(mesh_.triangles(e), [&](Triangle t) {
+    const bool stays = std::ranges::any_of(triangles_, [&](const StaticTriangle& s) { return s.triangle == t; });
+    return stays && coplanar_overlap_sharing_edge(mesh_.position(ends[0]), mesh_.position(ends[1]),
+                                                  mesh_.position(apex), mesh_.position(mesh_.opposite_vertex(t, e)));
+  });
+}
+
+}  // namespace lostopos

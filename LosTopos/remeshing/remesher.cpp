@@ -1,0 +1,40 @@
+#include "LosTopos/remeshing/remesher.h"
+
+#include <chrono>
+
+#include "LosTopos/remeshing/remesh_pass.h"
+
+namespace lostopos {
+
+Remesher::Remesher(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
+                   std::vector<OperationObserver*> observers)
+    : mesh_(mesh), held_(held), options_(options), observers_(std::move(observers)) {
+  limits_of(options_);  // throws early
+}
+
+RemeshStatistics Remesher::run(BroadPhase* index) {
+  const auto start = std::chrono::steady_clock::now();
+  RemeshStatistics statistics;
+  RemeshContext context(mesh_, held_, options_, observers_, index);
+  RemeshPass pass(context, statistics);
+  auto improve = [&] {
+    if (options_.collapse) pass.collapse_short_edges();
+    if (options_.flip) pass.flip_edges();
+    if (options_.smoothing) pass.smooth();
+  };
+  if (options_.split) {
+    pass.split_long_edges();
+    pass.split_large_angles();
+  }
+  improve();
+  for (int round = 0; round < options_.max_aggressive_rounds && pass.has_bad_triangles(); ++round) {
+    ++statistics.aggressive_rounds;
+    pass.mend_bad_triangles();
+    improve();
+  }
+  pass.count_what_is_left();
+  statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return statistics;
+}
+
+}  // namespace lostopos

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "LosTopos/collision/broad_phase.h"
+#include "LosTopos/remeshing/operation_events.h"
+#include "LosTopos/remeshing/remesh_options.h"
+#include "LosTopos/remeshing/remesh_statistics.h"
+
+namespace lostopos {
+
+/// Keeps a labelled non-manifold mesh at the asked resolution and its triangles well shaped, without ever making it
+/// intersect itself (METHOD "Remeshing and topology"; Da, Batty, Grinspun 2014). Every operation is planned beside the
+/// mesh, checked, and then done or refused for a reason that is counted.
+class Remesher {
+ public:
+  /// `held`: not zero for vertices that must not move; new vertices get the attribute's default. `observers` are told
+  /// of every operation, in their order. All of them must outlive the remesher. Throws InputError for options out of
+  /// range.
+  Remesher(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
+           std::vector<OperationObserver*> observers = {});
+
+  /// One pass: split long edges, split large angles, collapse short edges, flip, smooth; then aggressive rounds while
+  /// triangles are out of bounds. The mesh must not intersect itself. `index`: a broad phase that holds every living
+  /// triangle in a box that contains it, which the pass uses and keeps up to date; without one the pass builds its own
+  /// if it finds anything to do. The result depends on nothing but the mesh, `held` and the options. A pass that
+  /// finds nothing to do costs a few hundred nanoseconds a triangle.
+  RemeshStatistics run(BroadPhase* index = nullptr);
+
+ private:
+  SurfaceMesh& mesh_;
+  const VertexAttribute<char>& held_;
+  RemeshOptions options_;
+  std::vector<OperationObserver*> observers_;
+};
+
+}  // namespace lostopos

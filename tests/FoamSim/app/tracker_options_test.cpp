@@ -74,7 +74,7 @@ TEST(TrackerOptionsOfScenes, ProximityPushesNearBubblesApart) {
 // With so long a step the films would run through each other.
 TEST(TrackerOptionsOfScenes, CollisionsKeepTheFilmsApart) {
   const ScratchFolder scratch;
-  const std::string rough = "doublebubble --set dt=0.15 --set remeshing.enabled=false --steps 8";
+  const std::string rough = "doublebubble --set dt=0.2 --set remeshing.enabled=false --steps 16";
   const json apart = run_of(scratch, "apart", rough);
   const json through = run_of(scratch, "through", rough + " --set tracker.collisions=false");
   EXPECT_GT(apart["collisions"]["collisions"].get<long>(), 0);

@@ -4,6 +4,6 @@
 int main() {
   const foamsim::Scene scene = foamsim::built_in_scene("doublebubble");
   foamsim::Simulation simulation = foamsim::make_simulation(scene);
-  const foamsim::StepReport report = simulation.step();
-  return report.velocity_evaluations == 1 && simulation.mesh().triangle_count() == 880 ? 0 : 1;
+  if (simulation.mesh().triangle_count() != 880) return 1;
+  return simulation.step().velocity_evaluations == 1 ? 0 : 1;
 }

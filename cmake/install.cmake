@@ -17,4 +17,4 @@ configure_package_config_file(cmake/FoamSimConfig.cmake.in ${PROJECT_BINARY_DIR}
                               INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/FoamSimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/FoamSimConfig.cmake ${PROJECT_BINARY_DIR}/FoamSimConfigVersion.cmake
-              cmake/FindCHOLMOD.cmake DESTINATION ${config_dir})
+              cmake/FindCHOLMOD.cmake cmake/FindVoro.cmake DESTINATION ${config_dir})

@@ -9,6 +9,7 @@
 #include "LosTopos/remeshing/edge_flip.h"
 #include "LosTopos/remeshing/edge_split.h"
 #include "LosTopos/remeshing/null_space_smoothing.h"
+#include "LosTopos/shapes/voronoi_foam.h"
 #include "tests/LosTopos/remeshing/patches.h"
 #include "tests/support/film_meshes.h"
 
@@ -76,6 +77,12 @@ RC_GTEST_PROP(OperationSequence, OnDoubleBubbles, ()) {
 RC_GTEST_PROP(OperationSequence, OnACubeFrameOfFilms, ()) {
   auto cube = test::cube_frame(*rc::gen::inRange(1, 5));
   run_sequence(std::move(cube.mesh), cube.frame, false, *rc::gen::arbitrary<bool>());
+}
+
+// Unlike the others it has points at which four borders and more meet.
+RC_GTEST_PROP(OperationSequence, OnAFoamOfTwentyBubbles, ()) {
+  const auto seed = *rc::gen::inRange<std::uint64_t>(1, 1000);
+  run_sequence(voronoi_foam({.cells = 20, .seed = seed}), {}, true, *rc::gen::arbitrary<bool>());
 }
 
 }  // namespace

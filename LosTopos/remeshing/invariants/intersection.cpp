@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "LosTopos/geometry/distance.h"
 #include "LosTopos/geometry/predicates.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -25,6 +26,25 @@ bool contains(const Range& range, Vertex v) {
 
 bool shares_a_vertex(std::span<const Vertex> a, std::span<const Vertex> b) {
   return std::ranges::any_of(a, [&](Vertex v) { return contains(b, v); });
+}
+
+// Gaps smaller than this share of the region an operation works on are not made: the collision-safe move could not tell
+// them from contact.
+constexpr double least_gap_share = 1e-6;
+
+double least_gap(const Box& box) {
+  return least_gap_share * (box.high - box.low).norm();
+}
+
+Box grown(Box box, double margin) {
+  box.low.array() -= margin;
+  box.high.array() += margin;
+  return box;
+}
+
+// A gap that was there before may stay, or mending would be blocked; it must not get smaller.
+bool narrows(double before, double after, double least) {
+  return after < least && after < before;
 }
 
 bool holds(const Box& box, const Vec3& x) {
@@ -63,36 +83,48 @@ void IntersectionGuard::gather(const Box& box, const LeftOut& left_out) {
 }
 
 bool IntersectionGuard::is_free(const StarMotion& motion, const LeftOut& left_out) {
-  gather(motion.box(), left_out);
+  least_gap_ = least_gap(motion.box());
+  gather(grown(motion.box(), least_gap_), left_out);
   return std::ranges::all_of(motion.triangles(), [this](const auto& t) { return triangle_is_free(t); }) &&
          std::ranges::all_of(motion.edges(), [this](const auto& e) { return edge_is_free(e); }) &&
          std::ranges::all_of(motion.points(), [this](const auto& p) { return point_is_free(p); });
 }
 
 bool IntersectionGuard::point_is_free(const MovingPoint& point) const {
-  const Box box{point.path.start.cwiseMin(point.path.end), point.path.start.cwiseMax(point.path.end)};
+  const Box box =
+      grown({point.path.start.cwiseMin(point.path.end), point.path.start.cwiseMax(point.path.end)}, least_gap_);
   return std::ranges::none_of(triangles_, [&](const StaticTriangle& t) {
     if (!box.overlaps(t.box)) return false;
     const auto [a, b, c] = corners(mesh_, t.triangle);
-    return vertex_triangle_collision(point.path, at_rest(a), at_rest(b), at_rest(c)).has_value();
+    return vertex_triangle_collision(point.path, at_rest(a), at_rest(b), at_rest(c)).has_value() ||
+           narrows(point_triangle_distance(point.path.start, a, b, c).distance,
+                   point_triangle_distance(point.path.end, a, b, c).distance, least_gap_);
   });
 }
 
 bool IntersectionGuard::edge_is_free(const StarMotion::MovingEdge& edge) const {
   const std::array<Vertex, 2> names = {edge.ends[0].vertex, edge.ends[1].vertex};
+  const Trajectory &p = edge.ends[0].path, &q = edge.ends[1].path;
+  const Box box = grown(edge.box, least_gap_);
   return std::ranges::none_of(edges_, [&](const StaticEdge& e) {
-    if (!edge.box.overlaps(e.box) || shares_a_vertex(names, e.ends)) return false;
-    return edge_edge_collision(edge.ends[0].path, edge.ends[1].path, at_rest(mesh_.position(e.ends[0])),
-                               at_rest(mesh_.position(e.ends[1])))
-        .has_value();
+    if (!box.overlaps(e.box) || shares_a_vertex(names, e.ends)) return false;
+    const Vec3 &a = mesh_.position(e.ends[0]), &b = mesh_.position(e.ends[1]);
+    return edge_edge_collision(p, q, at_rest(a), at_rest(b)).has_value() ||
+           narrows(segment_segment_distance(p.start, q.start, a, b).distance,
+                   segment_segment_distance(p.end, q.end, a, b).distance, least_gap_);
   });
 }
 
 bool IntersectionGuard::triangle_is_free(const StarMotion::MovingTriangle& triangle) const {
   const auto& [a, b, c] = triangle.corners;
-  return std::ranges::none_of(vertices_, [&a = a, &b = b, &c = c, &triangle](const StaticVertex& v) {
+  const Box box = grown(triangle.box, least_gap_);
+  return std::ranges::none_of(vertices_, [&a = a, &b = b, &c = c, &box, this](const StaticVertex& v) {
     if (v.vertex == a.vertex || v.vertex == b.vertex || v.vertex == c.vertex) return false;
-    return holds(triangle.box, v.path.start) && vertex_triangle_collision(v.path, a.path, b.path, c.path).has_value();
+    const Vec3& x = v.path.start;
+    return holds(box, x) &&
+           (vertex_triangle_collision(v.path, a.path, b.path, c.path).has_value() ||
+            narrows(point_triangle_distance(x, a.path.start, b.path.start, c.path.start).distance,
+                    point_triangle_distance(x, a.path.end, b.path.end, c.path.end).distance, least_gap_));
   });
 }
 
@@ -103,7 +135,8 @@ bool IntersectionGuard::flip_is_free(Edge e, Vertex c, Vertex d) {
     box.low = box.low.cwiseMin(mesh_.position(v));
     box.high = box.high.cwiseMax(mesh_.position(v));
   }
-  gather(box, {{}, e});
+  least_gap_ = least_gap(box);
+  gather(grown(box, least_gap_), {{}, e});
   const std::array<Vertex, 3> at_a = {a, d, c}, at_b = {b, c, d};
   if (!new_edge_is_free(c, d) || !new_triangle_is_free(at_a) || !new_triangle_is_free(at_b)) return false;
   if (!tetrahedron_is_empty({a, b, c, d})) return false;
@@ -113,20 +146,37 @@ bool IntersectionGuard::flip_is_free(Edge e, Vertex c, Vertex d) {
 }
 
 bool IntersectionGuard::new_edge_is_free(Vertex c, Vertex d) const {
-  return std::ranges::none_of(triangles_, [&](const StaticTriangle& t) {
-    const auto& names = mesh_.vertices(t.triangle);
-    if (contains(names, c) || contains(names, d)) return false;
-    const auto [x, y, z] = corners(mesh_, t.triangle);
-    return segment_triangle_intersect(mesh_.position(c), mesh_.position(d), x, y, z) != Contact::none;
-  });
+  return std::ranges::none_of(triangles_,
+                              [&](const StaticTriangle& t) {
+                                const auto& names = mesh_.vertices(t.triangle);
+                                if (contains(names, c) || contains(names, d)) return false;
+                                const auto [x, y, z] = corners(mesh_, t.triangle);
+                                return segment_triangle_intersect(mesh_.position(c), mesh_.position(d), x, y, z) !=
+                                       Contact::none;
+                              }) &&
+         std::ranges::none_of(edges_, [&](const StaticEdge& e) {
+           if (contains(e.ends, c) || contains(e.ends, d)) return false;
+           return segment_segment_distance(mesh_.position(c), mesh_.position(d), mesh_.position(e.ends[0]),
+                                           mesh_.position(e.ends[1]))
+                      .distance < least_gap_;
+         });
 }
 
 bool IntersectionGuard::new_triangle_is_free(const std::array<Vertex, 3>& triangle) const {
-  return std::ranges::none_of(edges_, [&](const StaticEdge& e) {
-    if (shares_a_vertex(triangle, e.ends)) return false;
-    return segment_triangle_intersect(mesh_.position(e.ends[0]), mesh_.position(e.ends[1]), mesh_.position(triangle[0]),
-                                      mesh_.position(triangle[1]), mesh_.position(triangle[2])) != Contact::none;
-  });
+  return std::ranges::none_of(edges_,
+                              [&](const StaticEdge& e) {
+                                if (shares_a_vertex(triangle, e.ends)) return false;
+                                return segment_triangle_intersect(mesh_.position(e.ends[0]), mesh_.position(e.ends[1]),
+                                                                  mesh_.position(triangle[0]),
+                                                                  mesh_.position(triangle[1]),
+                                                                  mesh_.position(triangle[2])) != Contact::none;
+                              }) &&
+         std::ranges::none_of(vertices_, [&](const StaticVertex& v) {
+           if (contains(triangle, v.vertex)) return false;
+           return point_triangle_distance(v.path.start, mesh_.position(triangle[0]), mesh_.position(triangle[1]),
+                                          mesh_.position(triangle[2]))
+                      .distance < least_gap_;
+         });
 }
 
 bool IntersectionGuard::tetrahedron_is_empty(const std::array<Vertex, 4>& corners) const {

@@ -8,8 +8,9 @@
 
 namespace lostopos {
 
-/// Decides whether an operation would make the surface touch or pass through itself. The surface is taken to be free of
-/// intersections before; then it is afterwards too, without a tolerance.
+/// Decides whether an operation would make the surface touch or pass through itself, or leave a gap so small (a
+/// millionth of the region it works on, and smaller than before) that later motion could not be told from contact. The
+/// surface is taken to be free of intersections before; then it is afterwards too, without a tolerance.
 class IntersectionGuard {
  public:
   IntersectionGuard(const SurfaceMesh& mesh, SurfaceIndex& index) : mesh_(mesh), index_(index) {}
@@ -61,6 +62,7 @@ class IntersectionGuard {
   std::vector<StaticVertex> vertices_;
   std::vector<StaticEdge> edges_;
   std::vector<StaticTriangle> triangles_;
+  double least_gap_ = 0;  // L; of the operation being checked
 };
 
 }  // namespace lostopos

@@ -9,7 +9,7 @@ packages=(
   libeigen3-dev libsuitesparse-dev libboost-dev libtbb-dev libhwy-dev libcli11-dev libtomlplusplus-dev
   nlohmann-json3-dev libspdlog-dev libembree-dev libpng-dev voro++-dev
   # tests and benchmarks
-  libgtest-dev librapidcheck-dev libbenchmark-dev evolver-nox
+  libgtest-dev librapidcheck-dev libbenchmark-dev
   # plots
   python3-matplotlib
   # style

@@ -39,6 +39,9 @@ namespace {
 
 void take_tracker_counts(const StepReport& report, Metrics& m) {
   using lostopos::Operation;
+  m.times = report.times;
+  m.move = report.move;
+  m.remesh = report.remesh;
   m.motion_fraction = report.motion_fraction;
   m.splits = report.remesh[Operation::split].done;
   m.collapses = report.remesh[Operation::collapse].done;

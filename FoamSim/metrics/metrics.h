@@ -29,6 +29,9 @@ struct Metrics {
   /// In the step: remeshing operations done, refused in all, collisions answered.
   std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
   std::size_t collisions = 0, impact_zones = 0;
+  StageTimes times;                             ///< wall seconds of the step by stage
+  lostopos::MoveStatistics move;                ///< for the seconds within the move
+  lostopos::RemeshStatistics remesh;            ///< for the seconds of each operation
   std::vector<lostopos::RegionVolume> volumes;  ///< L³, for volumes.csv
 };
 

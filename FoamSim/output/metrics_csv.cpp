@@ -7,6 +7,9 @@
 #include "FoamSim/options/option_value.h"
 
 namespace foamsim {
+
+using lostopos::Operation;
+
 namespace {
 
 struct Column {
@@ -62,6 +65,17 @@ const std::vector<Column>& columns() {
       {"refusals", [](const Metrics& m) { return text(m.refusals); }},
       {"collisions", [](const Metrics& m) { return text(m.collisions); }},
       {"impact_zones", [](const Metrics& m) { return text(m.impact_zones); }},
+      {"velocity_seconds", [](const Metrics& m) { return text(m.times.seconds("velocity")); }},
+      {"move_seconds", [](const Metrics& m) { return text(m.times.seconds("move")); }},
+      {"broad_phase_seconds", [](const Metrics& m) { return text(m.move.broad_phase_seconds); }},
+      {"ccd_seconds", [](const Metrics& m) { return text(m.move.ccd_seconds); }},
+      {"impulse_seconds", [](const Metrics& m) { return text(m.move.impulse_seconds); }},
+      {"zone_seconds", [](const Metrics& m) { return text(m.move.zone_seconds); }},
+      {"remesh_seconds", [](const Metrics& m) { return text(m.times.seconds("remesh")); }},
+      {"split_seconds", [](const Metrics& m) { return text(m.remesh[Operation::split].seconds); }},
+      {"collapse_seconds", [](const Metrics& m) { return text(m.remesh[Operation::collapse].seconds); }},
+      {"flip_seconds", [](const Metrics& m) { return text(m.remesh[Operation::flip].seconds); }},
+      {"smoothing_seconds", [](const Metrics& m) { return text(m.remesh[Operation::smoothing].seconds); }},
   };
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 #include "program.h"
 
@@ -15,11 +16,15 @@ using nlohmann::json;
 std::string without_seconds(const std::string& table) {
   std::istringstream in(table);
   std::string result;
+  std::vector<bool> kept;
   for (std::string line; std::getline(in, line);) {
     std::istringstream cells(line);
     std::string cell;
-    for (int column = 0; std::getline(cells, cell, ','); ++column)
-      if (column != 19) result += cell + ",";
+    const bool header = kept.empty();
+    for (std::size_t column = 0; std::getline(cells, cell, ','); ++column) {
+      if (header) kept.push_back(!cell.ends_with("_seconds"));
+      if (kept[column]) result += cell + ",";
+    }
     result += "\n";
   }
   return result;

@@ -1,5 +1,7 @@
 #include "LosTopos/surface_tracker.h"
 
+#include <chrono>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -20,6 +22,13 @@ bool has_many_gaps(const SurfaceMesh& mesh) {
   return gaps(mesh.vertex_count(), mesh.vertex_slots()) || gaps(mesh.triangle_count(), mesh.triangle_slots());
 }
 
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace
 
 SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
@@ -28,10 +37,17 @@ SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
     throw InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
   if (options_.remeshing) limits_of(options_.remesh);  // throws where bounds contradict each other
+  if (!options_.topology.enabled) return;
+  motion_ = std::make_unique<CarriedMotion>(mesh_);
+  observers_.push_back(motion_.get());
 }
 
 MoveResult SurfaceTracker::advance(std::span<const Vec3> predicted) {
   require_resolved(predicted);
+  return move_to(predicted);
+}
+
+MoveResult SurfaceTracker::move_to(std::span<const Vec3> predicted) {
   if (options_.collisions) {
     const MoveOptions move{.proximity_epsilon = options_.proximity_epsilon * options_.resolution,
                            .impulse_passes = options_.impulse_passes,
@@ -63,6 +79,41 @@ void SurfaceTracker::require_resolved(std::span<const Vec3> predicted) const {
       message << "the predicted position is not finite";
     throw MotionError(message.str());
   }
+}
+
+void SurfaceTracker::do_part(std::span<const Vec3> predicted, TrackerStep& done) {
+  done.move_seconds += seconds_of([&] {
+    const MoveResult moved = move_to(predicted);
+    done.move.statistics += moved.statistics;
+    done.move.fraction += moved.fraction / done.parts;
+  });
+  done.topology_seconds += seconds_of([&] { done.topology += change_topology(); });
+  done.remesh_seconds += seconds_of([&] { done.remesh += remesh(); });
+}
+
+TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted) {
+  require_resolved(predicted);
+  TrackerStep done;
+  done.move.fraction = 0;
+  if (motion_) {
+    const double longest = options_.topology.longest_motion * options_.resolution;
+    done.parts = std::max(1, static_cast<int>(std::ceil(motion_->set(mesh_, predicted) / longest)));
+  }
+  if (done.parts == 1) {
+    do_part(predicted, done);
+    return done;
+  }
+  std::vector<Vec3> targets;
+  for (int part = 0; part < done.parts; ++part) {
+    targets.assign(mesh_.positions().begin(), mesh_.positions().end());
+    for (Vertex v : mesh_.vertices()) targets[v.index()] += (*motion_)[v] / done.parts;
+    do_part(targets, done);
+  }
+  return done;
+}
+
+TopologyStatistics SurfaceTracker::change_topology() {
+  return {};
 }
 
 RemeshStatistics SurfaceTracker::remesh() {

@@ -9,6 +9,9 @@
 #include "LosTopos/remeshing/operation_events.h"
 #include "LosTopos/remeshing/remesh_options.h"
 #include "LosTopos/remeshing/remesh_statistics.h"
+#include "LosTopos/topology/carried_motion.h"
+#include "LosTopos/topology/topology_options.h"
+#include "LosTopos/topology/topology_statistics.h"
 
 namespace lostopos {
 
@@ -25,6 +28,16 @@ struct TrackerOptions {
   bool remeshing = true;         ///< false: `remesh` does nothing
   int remeshing_iterations = 1;  ///< passes a call of `remesh`
   RemeshOptions remesh = {};     ///< its target_edge is set from `resolution`
+  TopologyOptions topology = {};
+};
+
+/// What a step of the tracker did; sums over its parts, see TopologyOptions::longest_motion.
+struct TrackerStep {
+  MoveResult move;  ///< its fraction is the mean of the parts'
+  TopologyStatistics topology;
+  RemeshStatistics remesh;
+  double move_seconds = 0, topology_seconds = 0, remesh_seconds = 0;  ///< wall time
+  int parts = 1;
 };
 
 /// Moves a labelled surface to where a simulation predicts it to be without letting it intersect itself, and keeps its
@@ -45,6 +58,12 @@ class SurfaceTracker {
   /// Is told of every operation of `remesh`; must live as long as it is called.
   void add_observer(OperationObserver& observer) { observers_.push_back(&observer); }
 
+  /// One step: moves the vertices to, or near, `predicted` (as `advance` does, and throws what it throws), changes the
+  /// topology where that is asked for, and remeshes. A motion that is long against h̄ is done in equal parts with
+  /// topology and remeshing after each, and is carried along by the vertices through these operations. When a part
+  /// throws, the surface is as the parts before have left it.
+  TrackerStep step(std::span<const Vec3> predicted);
+
   /// Moves every living vertex in a straight line to, or near, its entry of `predicted` (L, indexed by vertex handle,
   /// one per slot). Throws MotionError, with the mesh as it was, when a prediction is not finite or too far
   /// away, or no motion without intersection is found.
@@ -54,12 +73,19 @@ class SurfaceTracker {
   /// many.
   RemeshStatistics remesh();
 
+  /// One topology pass: joins surfaces that are close, merges very short edges, lets small regions vanish, and
+  /// separates vertices where regions meet without a common film. Does nothing when it is not enabled.
+  TopologyStatistics change_topology();
+
  private:
   void require_resolved(std::span<const Vec3> predicted) const;
+  MoveResult move_to(std::span<const Vec3> predicted);
+  void do_part(std::span<const Vec3> predicted, TrackerStep& done);
 
   SurfaceMesh mesh_;
   TrackerOptions options_;
   VertexAttribute<char> held_;
+  std::unique_ptr<CarriedMotion> motion_;  ///< of the last step; only where the topology may change
   std::vector<OperationObserver*> observers_;
 };
 

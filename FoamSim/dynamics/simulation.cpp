@@ -62,16 +62,7 @@ StepReport Simulation::step() {
     measure(before, after, report);
     integrate(options_.integrator, options_.dt, positions, velocities_, velocity_at, predicted_);
   }
-  {
-    const StageTimer timer(report.times, "move");
-    const lostopos::MoveResult moved = tracker_.advance(predicted_);
-    report.motion_fraction = moved.fraction;
-    report.move = moved.statistics;
-  }
-  if (options_.tracker.remeshing) {
-    const StageTimer timer(report.times, "remesh");
-    report.remesh = tracker_.remesh();
-  }
+  track(report);
   {
     const StageTimer timer(report.times, "geometry");
     geometry_.update(tracker_.mesh());
@@ -79,6 +70,17 @@ StepReport Simulation::step() {
   ++steps_;
   report.velocity_evaluations = velocity_.evaluations() - evaluations_before;
   return report;
+}
+
+void Simulation::track(StepReport& report) {
+  lostopos::TrackerStep done = tracker_.step(predicted_);
+  report.times.add("move", done.move_seconds);
+  if (options_.tracker.topology.enabled) report.times.add("topology", done.topology_seconds);
+  if (options_.tracker.remeshing) report.times.add("remesh", done.remesh_seconds);
+  report.motion_fraction = done.move.fraction;
+  report.move = done.move.statistics;
+  report.topology = std::move(done.topology);
+  report.remesh = done.remesh;
 }
 
 void Simulation::apply_effects(StageTimes& times) {

@@ -41,6 +41,7 @@ struct StepReport {
   double motion_fraction = 1;         ///< of the predicted motion that the tracker could do
   lostopos::MoveStatistics move;      ///< collisions found and answered
   lostopos::RemeshStatistics remesh;  ///< operations done and refused
+  lostopos::TopologyStatistics topology;
 };
 
 /// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: METHOD "One time step".
@@ -73,6 +74,7 @@ class Simulation {
 
  private:
   void apply_effects(StageTimes& times);
+  void track(StepReport& report);
   // Γ̄ of the sheet's triangles as they are now, without region constants.
   std::vector<double> gather_circulation();
   void measure(std::span<const double> before, std::span<const double> after, StepReport& report) const;

@@ -49,6 +49,33 @@ struct MoveEvent {
   Vec3 from, to;  ///< L
 };
 
+/// A point of the surface: at a vertex, on an edge or in a triangle, as a mean of one, two or three vertices.
+struct Place {
+  std::array<Vertex, 3> vertices;      ///< the first `count` are used
+  std::array<double, 3> weights = {};  ///< not negative, sum 1
+  std::size_t count = 0;
+};
+
+/// Two places become one vertex (snapping, or the end of a very short edge), and triangles that coincide by it cancel.
+/// Per-vertex data: (1 − t) of the first place plus t of the second, each the mean of its vertices by their weights.
+struct MergeEvent {
+  std::array<Place, 2> places;
+  double t;                         ///< where the result lies between the two
+  Vertex result;                    ///< a vertex of a place, or a new one (then invalid in the before-event)
+  Vec3 position;                    ///< of the result, L
+  std::span<const Vertex> removed;  ///< gone in the after-event; the result among them when nothing is left
+  std::span<const TriangleSource>
+      triangles;  ///< empty in the before-event; labels of a child may differ from its parent
+};
+
+/// A vertex parts in two; both copies keep its data. New films may stand between the two.
+struct SeparationEvent {
+  Vertex vertex;                              ///< stays with a part of its triangles
+  Vertex added;                               ///< gets the others; invalid in the before-event
+  Vec3 position, added_position;              ///< afterwards, L
+  std::span<const TriangleSource> triangles;  ///< empty in the before-event; of a new film the parent is a neighbour
+};
+
 /// Is told of every operation that is done (never of one that is refused): `before_` with the mesh still as it was,
 /// then `after_` with the operation complete. Handles that the event calls gone may be read from attributes in the
 /// after-event (their slots are not in use again yet), but not from the mesh. An observer must not change the mesh.
@@ -67,6 +94,10 @@ class OperationObserver {
   virtual void after_flip(const SurfaceMesh&, const FlipEvent&) {}
   virtual void before_move(const SurfaceMesh&, const MoveEvent&) {}
   virtual void after_move(const SurfaceMesh&, const MoveEvent&) {}
+  virtual void before_merge(const SurfaceMesh&, const MergeEvent&) {}
+  virtual void after_merge(const SurfaceMesh&, const MergeEvent&) {}
+  virtual void before_separation(const SurfaceMesh&, const SeparationEvent&) {}
+  virtual void after_separation(const SurfaceMesh&, const SeparationEvent&) {}
 };
 
 }  // namespace lostopos

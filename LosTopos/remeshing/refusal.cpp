@@ -28,6 +28,8 @@ const char* name(Refusal refusal) {
       return "intersection";
     case Refusal::not_better:
       return "not better";
+    case Refusal::ambiguous:
+      return "ambiguous";
   }
   return "unknown refusal";
 }

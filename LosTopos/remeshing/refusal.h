@@ -19,8 +19,9 @@ enum class Refusal : std::uint8_t {
   volume_change,      ///< a region would gain or lose more than its bound
   intersection,       ///< the surface would touch or pass through itself on the way
   not_better,         ///< the change would be allowed but improves nothing
+  ambiguous,          ///< a region meets itself around an edge, so that it is not clear what would become of it
 };
-inline constexpr std::size_t refusal_count = 12;
+inline constexpr std::size_t refusal_count = 13;
 
 /// A few words, for tables.
 const char* name(Refusal refusal);

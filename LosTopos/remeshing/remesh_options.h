@@ -14,7 +14,6 @@ struct RemeshOptions {
   double max_angle = 177;            ///< nor one with a larger angle
   double max_volume_change = 1e-2;   ///< no operation changes a region's volume by more
   double split_angle = 160;          ///< the edge opposite to a larger angle is split
-  double merge_distance = 0.1;       ///< surfaces that come nearer are joined (by the topology pass, not here)
   double smooth_below_angle = 30;    ///< vertices of triangles with a smaller angle are smoothed; 60: all vertices
   double smoothing_tolerance = 0.1;  ///< eigenvalues of the normal quadric below this share of the largest: null space
 

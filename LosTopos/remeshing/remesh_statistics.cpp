@@ -48,6 +48,13 @@ std::size_t OperationCounts::refused_in_all() const {
   return sum(refused);
 }
 
+OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
+  done += other.done;
+  add(refused, other.refused);
+  seconds += other.seconds;
+  return *this;
+}
+
 std::size_t EdgesLeft::total() const {
   return sum(refused) + sweeps_used_up;
 }
@@ -59,11 +66,7 @@ std::size_t RemeshStatistics::done_in_all() const {
 }
 
 RemeshStatistics& RemeshStatistics::operator+=(const RemeshStatistics& other) {
-  for (std::size_t i = 0; i < operations.size(); ++i) {
-    operations[i].done += other.operations[i].done;
-    add(operations[i].refused, other.operations[i].refused);
-    operations[i].seconds += other.operations[i].seconds;
-  }
+  for (std::size_t i = 0; i < operations.size(); ++i) operations[i] += other.operations[i];
   add(too_long, other.too_long);
   add(too_short, other.too_short);
   triangles_out_of_bounds += other.triangles_out_of_bounds;

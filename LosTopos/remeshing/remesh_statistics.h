@@ -20,6 +20,7 @@ struct OperationCounts {
 
   void count(std::optional<Refusal> outcome);
   std::size_t refused_in_all() const;
+  OperationCounts& operator+=(const OperationCounts& other);
 };
 
 /// Edges that a pass has left out of bounds, by the reason why they cannot be mended now.

@@ -12,6 +12,9 @@ namespace {
 
 // Repulsion may open a gap by this share of what it lacks to ε_c in one step (Bridson et al. 2002, section 7.2).
 constexpr double repulsion_share = 0.1;
+// Of the gap between colliding elements, that they may close in the step: the motion is not a velocity that has to end,
+// but a way that is barred. What is pressed together comes close enough to be joined, step by step.
+constexpr double approach_share = 0.5;
 // Of its distance at the start, that a near pair has to keep.
 constexpr double kept_share = 0.5;
 
@@ -55,11 +58,14 @@ std::optional<Collision> detect(const Motion& motion, const ElementPair& pair) {
                                                          : edge_edge_collision(x[0], x[1], x[2], x[3]);
 }
 
-Contact from_collision(const ElementPair& pair, const Collision& collision) {
+Contact from_collision(const Motion& motion, const ElementPair& pair, const Collision& collision) {
   Contact contact = {pair, collision.weights, collision.normal, collision.time, 0};
   for (std::size_t i = pair.kind == ElementPair::Kind::vertex_triangle ? 1 : 2; i < 4; ++i) {
     contact.weights[i] = -contact.weights[i];
   }
+  Vec3 gap = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i) gap += contact.weights[i] * motion.starts()[pair.vertices[i].index()];
+  contact.target = -approach_share * std::max(0.0, contact.normal.dot(gap));
   return contact;
 }
 
@@ -85,7 +91,7 @@ PairResult test_pair(const Motion& motion, const ElementPair& pair, const Contac
                         repulsion_share * (scale.proximity - start.distance)};
   }
   if (const std::optional<Collision> collision = detect(motion, pair)) {
-    result.collision = from_collision(pair, *collision);
+    result.collision = from_collision(motion, pair, *collision);
   } else {
     result.collision = squeezed(motion, pair, start.distance, scale);
   }

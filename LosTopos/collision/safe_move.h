@@ -68,7 +68,8 @@ class CollisionFailure : public MotionError {
 ///
 /// Method: Bridson, Fedkiw and Anderson 2002, "Robust treatment of collisions, contact and friction for cloth
 /// animation" (repulsions, impulses, rigid impact zones); Harmon, Vouga, Tamstorf and Grinspun 2008, "Robust treatment
-/// of simultaneous collisions" (inelastic impact zones); then smaller steps.
+/// of simultaneous collisions" (inelastic impact zones); then smaller steps. Other than in these, elements that collide
+/// may close half of the gap between them: so what is pressed together comes close enough to be joined.
 ///
 /// Guarantee: the motion that is done has been found free of contact by the conservative detection of geometry/ccd.h
 /// for all pairs; what cannot be verified is not done. Near pairs come no nearer than half their distance in a step

@@ -68,9 +68,8 @@ std::optional<Refusal> PlaceMerge::require_apart(const Rules& rules) const {
   collect_vertices(c_.mesh, stars_[0], near0);
   collect_vertices(c_.mesh, stars_[1], near1);
   if (!have_common(near0, near1)) return {};
-  const Vec3 direction = (sites_[1].point - sites_[0].point).normalized();
   for (const Site& site : sites_)
-    if (transversality(c_.mesh, site, direction) < rules.min_transversality) return Refusal::not_better;
+    if (transversality(c_.mesh, site, rules.direction) < rules.min_transversality) return Refusal::not_better;
   return {};
 }
 
@@ -85,6 +84,28 @@ void PlaceMerge::plan_star(const Site& site) {
     if (at_both) continue;
     for (Vertex v : site.vertices()) c_.plan.add_moved(mesh, t, v, kept_, position_);
   }
+}
+
+// Where a film ends, at a wire, it is not said which regions meet beyond its end: there the film has to stay alone.
+bool PlaceMerge::keeps_open_edges() const {
+  const SurfaceMesh& mesh = c_.mesh;
+  for (const Site& site : sites_)
+    if (site.edge.valid() && mesh.triangles(site.edge).size() == 1) return false;
+  auto renamed = [&](Vertex v) {
+    return (sites_[0].vertex == v && v.valid()) || (sites_[1].vertex == v && v.valid()) ? kept_ : v;
+  };
+  for (Triangle t : c_.plan.replaced) {
+    for (Edge e : mesh.edges(t)) {
+      if (mesh.triangles(e).size() != 1) continue;
+      const Vertex a = renamed(mesh.vertices(e)[0]), b = renamed(mesh.vertices(e)[1]);
+      std::size_t here = 0;
+      for (const PlannedTriangle& planned : c_.plan.triangles)
+        if (contains(planned.vertices, a) && contains(planned.vertices, b))
+          here += planned.parent == t && planned.labels == mesh.labels(t) ? 1 : 2;
+      if (a == b || here != 1) return false;
+    }
+  }
+  return true;
 }
 
 void PlaceMerge::plan_motion() {
@@ -119,6 +140,7 @@ std::optional<Refusal> PlaceMerge::check(const Rules& rules) {
   const auto cancelled = cancel_coincident(c_.plan);
   if (!cancelled) return Refusal::labels;
   cancelled_ = *cancelled;
+  if (!keeps_open_edges()) return Refusal::junction_topology;
   c_.plan.measure(c_.mesh);
   if (rules.keeps_orientation) {
     if (!keeps_orientation(c_.plan, c_.limits)) return Refusal::inverted_normal;

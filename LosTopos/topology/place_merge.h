@@ -24,7 +24,10 @@ class PlaceMerge {
   struct Rules {
     bool joined_vertices = false;   ///< two vertices that an edge joins may be merged
     bool keeps_orientation = true;  ///< refuse to turn triangles by a right angle or more
-    double min_transversality = 0;  ///< of the line between the two places where their stars have a vertex in common
+    /// Where the stars of the two places have a vertex in common: how much of the unit vector `direction`, from one
+    /// surface to the other, has to be normal to the films at both (see transversality).
+    double min_transversality = 0;
+    Vec3 direction = Vec3::Zero();
   };
 
   /// Merges, or says why not and leaves the mesh as it was.
@@ -40,6 +43,7 @@ class PlaceMerge {
   std::optional<Refusal> choose_position();
   std::optional<Refusal> require_apart(const Rules& rules) const;
   void plan_star(const Site& site);
+  bool keeps_open_edges() const;
   void plan_motion();
   void carry_out();
 

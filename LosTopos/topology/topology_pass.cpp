@@ -11,8 +11,8 @@ namespace {
 
 // Places nearer to a vertex than this share of h̄ are moved to it before they are joined.
 constexpr double snap_reach = 0.25;
-// No vertex is put nearer than this share of h̄ to those of the edge or triangle that it divides: or else small triangles
-// would be near each other, be divided again, and so on without end.
+// No vertex is put nearer than this share of h̄ to those of the edge or triangle that it divides: or else small
+// triangles would be near each other, be divided again, and so on without end.
 constexpr double smallest_division = 0.15;
 // Edges shorter than this share of the merge distance are merged. It leaves the edges alone that separations open.
 constexpr double edge_merge_share = 0.5;
@@ -62,9 +62,8 @@ std::array<Site, 2> sites_of(const SurfaceMesh& mesh, const NearPair& near) {
 
 // Whether a vertex at the site would be at least `room` away from those it lies between.
 bool has_room(const SurfaceMesh& mesh, const Site& site, double room) {
-  return site.vertex.valid() || std::ranges::all_of(site.vertices(), [&](Vertex v) {
-           return (mesh.position(v) - site.point).norm() >= room;
-         });
+  return site.vertex.valid() ||
+         std::ranges::all_of(site.vertices(), [&](Vertex v) { return (mesh.position(v) - site.point).norm() >= room; });
 }
 
 /// The triangles on the boundary of each region, regions ascending.
@@ -105,8 +104,9 @@ std::vector<Region> TopologyPass::regions_at(const Site& a, const Site& b) const
 
 // Snaps at vertices of the two elements where they are near, or else at the nearest points themselves.
 std::optional<Refusal> TopologyPass::snap(const NearPair& near) {
-  const PlaceMerge::Rules rules{.min_transversality = min_transversality};
   const auto [a, b] = sites_of(c_.mesh, near);
+  const PlaceMerge::Rules rules{.min_transversality = min_transversality,
+                                .direction = (b.point - a.point).stableNormalized()};
   const double reach = snap_reach * c_.options.target_edge;
   const Site at_a = settled(c_.mesh, a, reach), at_b = settled(c_.mesh, b, reach);
   std::vector<Region> regions = regions_at(at_a, at_b);

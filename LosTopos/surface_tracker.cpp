@@ -32,7 +32,7 @@ double seconds_of(const Work& work) {
 }  // namespace
 
 SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
-    : mesh_(std::move(mesh)), options_(options), held_(mesh_.add_vertex_attribute<char>(0)) {
+    : mesh_(std::move(mesh)), options_(options), hold_(std::make_unique<HoldTransfer>(mesh_)), observers_{hold_.get()} {
   options_.remesh.target_edge = options_.resolution;
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
     throw InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
@@ -54,7 +54,7 @@ MoveResult SurfaceTracker::move_to(std::span<const Vec3> predicted) {
                            .zone_passes = options_.zone_passes,
                            .rigid_passes = options_.rigid_passes,
                            .smallest_step = options_.smallest_step};
-    return move_safely(mesh_, predicted, held_.slots(), move);
+    return move_safely(mesh_, predicted, hold_->held.slots(), move);
   }
   for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
   return {};
@@ -120,7 +120,7 @@ RemeshStatistics SurfaceTracker::remesh() {
   RemeshStatistics statistics;
   if (!options_.remeshing) return statistics;
   for (int i = 0; i < options_.remeshing_iterations; ++i) {
-    Remesher remesher(mesh_, held_, options_.remesh, observers_);
+    Remesher remesher(mesh_, hold_->held, options_.remesh, observers_);
     statistics += remesher.run();
   }
   if (has_many_gaps(mesh_)) mesh_.compact();

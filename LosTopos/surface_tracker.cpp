@@ -118,7 +118,7 @@ TopologyStatistics SurfaceTracker::change_topology() {
   const TopologyOptions& options = options_.topology;
   if (!options.enabled) return statistics;
   statistics.seconds = seconds_of([&] {
-    RemeshContext context(mesh_, held_, options_.remesh, observers_);
+    RemeshContext context(mesh_, hold_->held, options_.remesh, observers_);
     TopologyPass pass(
         context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
     if (options.collapse_regions) pass.collapse_small_regions();

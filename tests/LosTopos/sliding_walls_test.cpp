@@ -40,7 +40,7 @@ SurfaceTracker foam_in_a_box(TrackerOptions options) {
   SurfaceMesh foam = voronoi_foam({.cells = 6, .seed = 2, .subdivisions = 2});
   options.resolution = mean_edge_length(foam);
   SurfaceTracker tracker(std::move(foam), options);
-  hold_in_box_walls(tracker.mesh(), tracker.held(), 0, 1);
+  hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), Vec3::Ones());
   return tracker;
 }
 
@@ -87,7 +87,7 @@ TEST(SlidingWalls, StayThroughCoarsening) {
   TrackerOptions options;
   options.resolution = 2.5 * mean_edge_length(foam);
   SurfaceTracker tracker(std::move(foam), options);
-  hold_in_box_walls(tracker.mesh(), tracker.held(), 0, 1);
+  hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), Vec3::Ones());
   const std::size_t before = tracker.mesh().triangle_count();
   for (int i = 0; i < 3; ++i) tracker.remesh();
   EXPECT_LT(tracker.mesh().triangle_count(), before / 3);
@@ -123,7 +123,7 @@ TEST(SlidingWalls, ABodyThatHitsOneIsStopped) {
   mesh.add_triangle(b, c, d, labels);
   TrackerOptions options{.resolution = 0.2, .remeshing = false};
   SurfaceTracker tracker(std::move(mesh), options);
-  hold_in_box_walls(tracker.mesh(), tracker.held(), wall, -wall);
+  hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Constant(wall), Vec3::Constant(-wall));
   std::vector<Vec3> predicted(tracker.mesh().positions().begin(), tracker.mesh().positions().end());
   for (Vertex v : {a, b, c, d}) predicted[v.index()].z() -= 0.4;
   const MoveResult moved = tracker.advance(predicted);

@@ -11,7 +11,7 @@ void HoldTransfer::after_split(const SurfaceMesh&, const SplitEvent& event) {
   held[event.added] = next_;
 }
 
-char HoldTransfer::at(const SurfaceMesh& mesh, const Place& place) const {
+char common_hold(const SurfaceMesh& mesh, const VertexAttribute<char>& held, const Place& place) {
   const Vertex first = place.vertices[0];
   char common = held[first];
   for (std::size_t i = 1; i < place.count; ++i) {
@@ -22,7 +22,7 @@ char HoldTransfer::at(const SurfaceMesh& mesh, const Place& place) const {
 }
 
 void HoldTransfer::before_merge(const SurfaceMesh& mesh, const MergeEvent& event) {
-  next_ = hold_union(at(mesh, event.places[0]), at(mesh, event.places[1]));
+  next_ = hold_union(common_hold(mesh, held, event.places[0]), common_hold(mesh, held, event.places[1]));
 }
 
 void HoldTransfer::after_merge(const SurfaceMesh& mesh, const MergeEvent& event) {

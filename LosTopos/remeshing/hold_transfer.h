@@ -5,6 +5,9 @@
 
 namespace lostopos {
 
+/// The held coordinates that all vertices of the place have in common, see common_hold for two points.
+char common_hold(const SurfaceMesh& mesh, const VertexAttribute<char>& held, const Place& place);
+
 /// What is held of every vertex (see mesh/hold.h), handed on through the operations: the vertex of a split edge holds
 /// what both ends hold in common, so that walls, creases and wires' ends stay what they are; two vertices that become
 /// one hold what either held; copies hold the same.
@@ -21,8 +24,6 @@ class HoldTransfer final : public OperationObserver {
   VertexAttribute<char> held;
 
  private:
-  char at(const SurfaceMesh& mesh, const Place& place) const;
-
   char next_ = hold_none;  // of the vertex that the operation under way makes
 };
 

@@ -33,6 +33,15 @@ bool overlap(const Box& a, const Box& b) {
          (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
 }
 
+float rounded_down(double x) {
+  const float y = static_cast<float>(x);
+  return static_cast<double>(y) <= x ? y : std::nextafter(y, -std::numeric_limits<float>::infinity());
+}
+
+float rounded_up(double x) {
+  return -rounded_down(-x);
+}
+
 // Not less than the exact extent.
 double largest_extent(const Box& box) {
   return std::nextafter((box.high - box.low).maxCoeff(), infinity);
@@ -55,15 +64,37 @@ std::uint64_t cell_hash(int level, std::int64_t x, std::int64_t y, std::int64_t 
 
 // A hashed grid with levels. A box is kept in one cell only, that of its low corner, on a level whose cells are at
 // least twice its size (but for the last level); a query looks at the cells that low corners of boxes which reach it
-// can be in. Cells are lists threaded through the triangles' slots; cells whose hashes coincide share a list, which
-// costs time, not correctness, for every box found is tested.
+// can be in. What a build finds in a cell lies together in memory, in single precision rounded outwards, so that most
+// boxes are dismissed without looking at their slot; what comes later is listed through the slots, until there is so
+// much of it that everything is laid out anew. Cells whose hashes coincide share a place, which costs time, not
+// correctness, for every box found is tested.
 struct BroadPhase::Grid {
   struct Slot {
     Box box;
-    std::uint32_t next = none, previous = none;                    ///< in the cell
+    std::uint32_t next = none, previous = none;                    ///< in the cell's list; not for laid out boxes
     std::uint32_t next_in_level = none, previous_in_level = none;  ///< in no particular order
     std::uint32_t bucket = none;                                   ///< none: the triangle is not held
+    std::uint32_t entry = none;                                    ///< none: in the cell's list
     std::int32_t level = 0;
+  };
+  struct Entry {
+    std::array<float, 3> low, high;
+    std::uint32_t slot;
+
+    void enclose(const Box& box) {
+      for (int i = 0; i < 3; ++i) {
+        low[static_cast<std::size_t>(i)] = rounded_down(box.low[i]);
+        high[static_cast<std::size_t>(i)] = rounded_up(box.high[i]);
+      }
+    }
+    void clear() {
+      low.fill(std::numeric_limits<float>::infinity());
+      high.fill(-std::numeric_limits<float>::infinity());
+    }
+    bool overlaps(const Entry& other) const {
+      return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
+             (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
+    }
   };
   struct Level {
     std::size_t count = 0;
@@ -73,7 +104,10 @@ struct BroadPhase::Grid {
   };
 
   std::vector<Slot> slots;
-  std::vector<std::uint32_t> buckets;
+  std::vector<Entry> entries;                ///< by bucket
+  std::vector<std::uint32_t> first_entries;  ///< of each bucket, and the end of the last
+  std::vector<std::uint32_t> buckets;        ///< heads of the cells' lists
+  std::size_t listed = 0;
   std::array<Level, level_count> levels;
   double base_extent = 0;  ///< the largest box of the base level
   std::size_t held = 0;
@@ -98,7 +132,8 @@ struct BroadPhase::Grid {
                                       (buckets.size() - 1));
   }
 
-  void link(std::uint32_t index) {
+  // Finds the slot's level and bucket, and counts it there.
+  void assign(std::uint32_t index) {
     Slot& slot = slots[index];
     const double extent = largest_extent(slot.box);
     slot.level = level_of(extent);
@@ -106,25 +141,68 @@ struct BroadPhase::Grid {
     level.largest_extent = level.count == 0 ? extent : std::max(level.largest_extent, extent);
     ++level.count;
     slot.bucket = bucket_of(slot.level, slot.box.low);
-    slot.previous = none;
-    slot.next = std::exchange(buckets[slot.bucket], index);
-    if (slot.next != none) slots[slot.next].previous = index;
+    slot.entry = none;
     slot.previous_in_level = none;
     slot.next_in_level = std::exchange(level.first, index);
     if (slot.next_in_level != none) slots[slot.next_in_level].previous_in_level = index;
     ++held;
   }
 
+  void link(std::uint32_t index) {
+    assign(index);
+    Slot& slot = slots[index];
+    slot.previous = none;
+    slot.next = std::exchange(buckets[slot.bucket], index);
+    if (slot.next != none) slots[slot.next].previous = index;
+    ++listed;
+  }
+
   void unlink(std::uint32_t index) {
     Slot& slot = slots[index];
-    (slot.previous == none ? buckets[slot.bucket] : slots[slot.previous].next) = slot.next;
-    if (slot.next != none) slots[slot.next].previous = slot.previous;
+    if (slot.entry != none) {
+      entries[slot.entry].clear();
+    } else {
+      (slot.previous == none ? buckets[slot.bucket] : slots[slot.previous].next) = slot.next;
+      if (slot.next != none) slots[slot.next].previous = slot.previous;
+      --listed;
+    }
     Level& level = levels[static_cast<std::size_t>(slot.level)];
     (slot.previous_in_level == none ? level.first : slots[slot.previous_in_level].next_in_level) = slot.next_in_level;
     if (slot.next_in_level != none) slots[slot.next_in_level].previous_in_level = slot.previous_in_level;
     slot.bucket = none;
     --level.count;
     --held;
+  }
+
+  // A laid out box that stays in its cell is changed in place.
+  bool change_in_place(std::uint32_t index, const Box& box) {
+    Slot& slot = slots[index];
+    if (slot.entry == none) return false;
+    const double extent = largest_extent(box);
+    if (level_of(extent) != slot.level || bucket_of(slot.level, box.low) != slot.bucket) return false;
+    Level& level = levels[static_cast<std::size_t>(slot.level)];
+    level.largest_extent = std::max(level.largest_extent, extent);
+    slot.box = box;
+    entries[slot.entry].enclose(box);
+    return true;
+  }
+
+  // Puts all held boxes next to those of the same bucket.
+  void lay_out() {
+    first_entries.assign(buckets.size() + 1, 0);
+    for (const Slot& slot : slots)
+      if (slot.bucket != none) ++first_entries[slot.bucket + 1];
+    for (std::size_t i = 1; i < first_entries.size(); ++i) first_entries[i] += first_entries[i - 1];
+    entries.resize(held);
+    std::vector<std::uint32_t> next(first_entries.begin(), first_entries.end() - 1);
+    for (std::uint32_t i = 0; i < slots.size(); ++i) {
+      Slot& slot = slots[i];
+      if (slot.bucket == none) continue;
+      slot.entry = next[slot.bucket]++;
+      entries[slot.entry].enclose(slot.box);
+      entries[slot.entry].slot = i;
+    }
+    listed = 0;
   }
 
   // Sizes cells after the median of the held boxes (with `more` to come), and links them all anew.
@@ -148,17 +226,22 @@ struct BroadPhase::Grid {
     buckets.assign(size, none);
     held = 0;
     for (std::uint32_t i = static_cast<std::uint32_t>(slots.size()); i-- > 0;) {
-      if (slots[i].bucket != none) link(i);
+      if (slots[i].bucket != none) assign(i);
     }
+    lay_out();
   }
 
-  void append_bucket(std::uint32_t head, const Box& box, std::vector<Triangle>& found) const {
-    for (std::uint32_t i = head; i != none; i = slots[i].next) {
+  void append_bucket(std::size_t bucket, const Box& box, const Entry& single, std::vector<Triangle>& found) const {
+    for (std::uint32_t i = first_entries[bucket]; i < first_entries[bucket + 1]; ++i) {
+      const Entry& entry = entries[i];
+      if (entry.overlaps(single) && overlap(slots[entry.slot].box, box)) found.push_back(Triangle(entry.slot));
+    }
+    for (std::uint32_t i = buckets[bucket]; i != none; i = slots[i].next) {
       if (overlap(slots[i].box, box)) found.push_back(Triangle(i));
     }
   }
 
-  void append_level(int index, const Box& box, std::vector<Triangle>& found) const {
+  void append_level(int index, const Box& box, const Entry& single, std::vector<Triangle>& found) const {
     const Level& level = levels[static_cast<std::size_t>(index)];
     std::array<std::int64_t, 3> from, to;
     double cells = 1;
@@ -179,7 +262,7 @@ struct BroadPhase::Grid {
     for (std::int64_t x = from[0]; x <= to[0]; ++x) {
       for (std::int64_t y = from[1]; y <= to[1]; ++y) {
         for (std::int64_t z = from[2]; z <= to[2]; ++z)
-          append_bucket(buckets[cell_hash(index, x, y, z) & mask], box, found);
+          append_bucket(cell_hash(index, x, y, z) & mask, box, single, found);
       }
     }
   }
@@ -210,9 +293,12 @@ void BroadPhase::build(const SurfaceMesh& mesh, std::span<const Vec3> from, std:
 void BroadPhase::set(Triangle t, const Box& box) {
   Grid& grid = *grid_;
   if (t.index() >= grid.slots.size()) grid.slots.resize(t.index() + std::size_t{1});
-  if (grid.holds(t.index())) grid.unlink(t.index());
-  // Doubling keeps the cost of it constant for each triangle taken in.
-  if (grid.buckets.size() <= grid.held) grid.rebuild(grid.held + 1);
+  if (grid.holds(t.index())) {
+    if (grid.change_in_place(t.index(), box)) return;
+    grid.unlink(t.index());
+  }
+  // Doubling keeps the cost of it constant for each triangle taken in, and so does waiting for a share of the boxes.
+  if (grid.buckets.size() <= grid.held || grid.listed > 64 + grid.held / 4) grid.rebuild(grid.held + 1);
   grid.slots[t.index()].box = box;
   grid.link(t.index());
 }
@@ -222,8 +308,10 @@ void BroadPhase::remove(Triangle t) {
 }
 
 void BroadPhase::query_unsorted(const Box& box, std::vector<Triangle>& found) const {
+  Grid::Entry single;
+  single.enclose(box);
   for (int level = 0; level < level_count; ++level) {
-    if (grid_->levels[static_cast<std::size_t>(level)].count > 0) grid_->append_level(level, box, found);
+    if (grid_->levels[static_cast<std::size_t>(level)].count > 0) grid_->append_level(level, box, single, found);
   }
 }
 
@@ -239,8 +327,8 @@ const Box& BroadPhase::box(Triangle t) const {
 }
 
 std::size_t BroadPhase::memory_bytes() const {
-  return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) +
-         grid_->buckets.capacity() * sizeof(std::uint32_t);
+  return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) + grid_->entries.capacity() * sizeof(Grid::Entry) +
+         (grid_->buckets.capacity() + grid_->first_entries.capacity()) * sizeof(std::uint32_t);
 }
 
 Box triangle_box(const SurfaceMesh& mesh, Triangle t, std::span<const Vec3> positions, double margin) {

@@ -9,9 +9,9 @@ namespace multitracker {
 /// and Polthier 1993; at Plateau borders it drives the films to 120°). Speed L/T where the tension is 1 L²/T.
 ///
 /// Explicit steps are stable for dt ≤ A_v / Σ|w| at every vertex, w the cotangent weights of its edges. A step is done
-/// in as many substeps as that takes at nine vertices of ten, 64 at most; the others, whose triangles are badly shaped
-/// or tiny, move with the largest dt that is stable at themselves. So the area does not rise but by what substeps of
-/// finite size do.
+/// in substeps of half the dt that is stable at nine vertices of ten, 64 at most. A vertex whose triangles are badly
+/// shaped or tiny moves with the largest dt that is stable at itself, and none farther in a substep than half the least
+/// height of its triangles.
 class MeanCurvatureFlow final : public SurfaceFlow {
  public:
   explicit MeanCurvatureFlow(double mobility = 1) : mobility_(mobility) {}  ///< factor of the speed

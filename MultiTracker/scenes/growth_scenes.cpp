@@ -44,7 +44,8 @@ SceneEntry normal_flow() {
       {whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
        flag("one_region", false, "all spheres are one region and flow together"),
        positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
-      {{"steps", 60L}},
+      // Films that are pressed together meet before they crumple: METHOD's distance, not that of plain tracking.
+      {{"steps", 60L}, {"topology.merge_distance", 0.1}},
       [](const OptionSet& options) { return lostopos::sphere_meshes(spheres(options), options.flag("one_region")); },
       // At unit speed: time is the way.
       [](const OptionSet& options, const SurfaceMesh& start) -> Drive {

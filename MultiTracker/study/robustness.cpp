@@ -19,10 +19,12 @@ lostopos::OptionSet options_of_run(const RobustnessOptions& options, long sphere
   lostopos::OptionSet set = options_of(scene_by_name("normal-flow"));
   for (const std::string& assignment : options.assignments) set.set_assignment(assignment, "--set");
   set.set("spheres", spheres, "--spheres");
-  set.set("step", step, "--steps-of");
+  // As many whole steps of about that length as make up the motion exactly.
+  const long count = std::max(1L, std::lround(options.total_motion / step));
+  set.set("step", options.total_motion / static_cast<double>(count), "--steps-of");
   set.set("seed", seed, "--seeds");
   set.set("layout", options.layout, "--layout");
-  set.set("steps", std::lround(options.total_motion / step), "--steps-of");
+  set.set("steps", count, "--steps-of");
   return set;
 }
 

@@ -13,7 +13,7 @@ namespace multitracker {
 /// steps of different length over the same way.
 struct RobustnessOptions {
   std::vector<long> spheres = {8, 27, 64, 125};
-  std::vector<double> steps = {0.05, 0.2, 0.5, 1};  ///< in mean edges L of the start surface
+  std::vector<double> steps = {0.05, 0.2, 0.5, 1};  ///< in mean edges L, rounded so that whole steps make up the motion
   long seeds = 10;                                  ///< seeds 1 to this
   double total_motion = 5.5;                        ///< along the normal, in L
   std::string layout = "grid";

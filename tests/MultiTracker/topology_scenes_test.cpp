@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "FoamSim/metrics/junction_angles.h"
+#include "MultiTracker/flows/mean_curvature.h"
+#include "MultiTracker/flows/normal_flow.h"
 #include "tests/MultiTracker/tracking_checks.h"
 
 namespace multitracker {
@@ -46,12 +48,13 @@ INSTANTIATE_TEST_SUITE_P(Starts, T1, testing::Values("gap=0", "gap=0.12"),
 
 TEST(T2, TheSmallRegionVanishesAndTheOthersKeepTheirVolumes) {
   Tracking tracking = start("T2");
-  const double before = volume_of(tracking.mesh(), 1), whole = -volume_of(tracking.mesh(), 0);
+  const double whole = -volume_of(tracking.mesh(), 0);
   for (int i = 0; i < 40; ++i) ASSERT_TRUE(step_and_audit(tracking));
   EXPECT_EQ(volume_of(tracking.mesh(), 5), 0);
   EXPECT_EQ(tracking.metrics().regions, 5u);
   for (std::size_t region = 1; region <= 4; ++region) {
-    EXPECT_NEAR(volume_of(tracking.mesh(), region) / before, 1, 1e-3);
+    EXPECT_NEAR(volume_of(tracking.mesh(), region) / (whole / 4), 1, 1e-3)
+        << "its own and a quarter of the small one's";
     for (std::size_t other = 1; other < region; ++other) EXPECT_TRUE(have_film(tracking.mesh(), region, other));
   }
   EXPECT_NEAR(-volume_of(tracking.mesh(), 0), whole, 1e-12);
@@ -67,12 +70,21 @@ TEST(Coalescence, TwoSpheresOfOneRegionBecomeOneSurface) {
   EXPECT_EQ(tracking.metrics().junction_edges, 0u);
 }
 
+// Grown into each other, then under tension, which closes the pockets of air that contact at many places leaves.
 TEST(Contact, TwoBubblesGetOneWallInOneCircleOfBorder) {
-  Tracking tracking = start("normal-flow", {"spheres=2", "step=0.1"});
-  for (int i = 0; i < 40; ++i) ASSERT_TRUE(step_and_audit(tracking));
-  const SurfaceMesh& mesh = tracking.mesh();
+  const SceneEntry& scene = scene_by_name("normal-flow");
+  const lostopos::OptionSet options = test::options_with(scene, {"spheres=2", "topology.separation=area"});
+  lostopos::SurfaceTracker tracker = start_tracker(scene, options, scene.surface(options));
+  const NormalFlow growth(1);
+  const MeanCurvatureFlow tension;
+  for (int i = 0; i < 60; ++i) {
+    const SurfaceFlow& flow = i < 40 ? static_cast<const SurfaceFlow&>(growth) : tension;
+    const double dt = i < 40 ? 0.1 * tracker.options().resolution : 0.001;
+    tracker.step(flow.predicted({tracker.mesh(), tracker.held().slots(), 0, dt}));
+    ASSERT_EQ(lostopos::audit(tracker.mesh()).text(), "clean") << "after step " << i + 1;
+  }
+  const SurfaceMesh& mesh = tracker.mesh();
   EXPECT_TRUE(have_film(mesh, 1, 2));
-  EXPECT_GT(tracking.metrics().shared_area, 0.05);
   // Two spheres and a disc inside.
   EXPECT_EQ(lostopos::euler_characteristic(mesh), 3);
   for (lostopos::Edge e : mesh.edges()) EXPECT_LE(mesh.triangles(e).size(), 3u);
@@ -105,10 +117,10 @@ TEST(NormalFlow, PressesSpheresIntoAFoamForAnySeed) {
   for (const char* layout : {"layout=grid", "layout=random"})
     for (const char* seed : {"seed=1", "seed=2"}) {
       SCOPED_TRACE(std::string(layout) + " " + seed);
-      Tracking tracking = start("normal-flow", {layout, seed, "step=0.1"});
+      Tracking tracking = start("normal-flow", {layout, seed, "step=0.1", "spheres=8"});
       for (int i = 0; i < 30; ++i) ASSERT_TRUE(step_and_audit(tracking));
       EXPECT_EQ(tracking.metrics().regions, 9u);
-      EXPECT_GT(tracking.metrics().shared_area, std::string(layout) == "layout=grid" ? 5 : 0.1);
+      EXPECT_GT(tracking.metrics().shared_area, std::string(layout) == "layout=grid" ? 4 : 0.1);
     }
 }
 

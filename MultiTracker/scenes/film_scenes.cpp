@@ -86,7 +86,7 @@ SceneEntry t2() {
 SceneEntry mcf() {
   return {"mcf",
           "a random foam in the unit box that coarsens under mean curvature flow; its ends slide along the walls",
-          {subdivisions(1), time_step(1e-3), whole_number("cells", 30, 1, "bubbles at the start"),
+          {subdivisions(1), time_step(2e-3), whole_number("cells", 30, 1, "bubbles at the start"),
            whole_number("relaxations", 3, 0, "rounds that make the bubbles more alike")},
           under_tension(200),
           [](const OptionSet& options) {

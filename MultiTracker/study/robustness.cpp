@@ -66,6 +66,11 @@ RobustnessRun read(const ChildResult& child) {
 void require_usable(const RobustnessOptions& options) {
   if (options.seeds < 1 || !(options.total_motion > 0) || !(options.time_limit > 0))
     throw lostopos::InputError("a robustness study needs seeds >= 1, a total motion > 0 and a time limit > 0");
+  for (double step : options.steps)
+    if (!(step > 0 && step <= options.total_motion))
+      throw lostopos::InputError("--steps-of " + to_text(step) +
+                                 " is not allowed; a step has to be > 0 and at most the " + "total motion, " +
+                                 to_text(options.total_motion));
   for (long spheres : options.spheres)
     for (double step : options.steps) options_of_run(options, spheres, step, 1);
 }

@@ -33,7 +33,7 @@ double seconds_of(const Work& work) {
 }  // namespace
 
 SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
-    : mesh_(std::move(mesh)), options_(options), held_(mesh_.add_vertex_attribute<char>(0)) {
+    : mesh_(std::move(mesh)), options_(options), hold_(std::make_unique<HoldTransfer>(mesh_)), observers_{hold_.get()} {
   options_.remesh.target_edge = options_.resolution;
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
     throw InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
@@ -57,7 +57,7 @@ MoveOptions SurfaceTracker::move_options() const {
 }
 
 MoveResult SurfaceTracker::move_to(std::span<const Vec3> predicted) {
-  if (options_.collisions) return move_safely(mesh_, predicted, held_.slots(), move_options());
+  if (options_.collisions) return move_safely(mesh_, predicted, hold_->held.slots(), move_options());
   for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
   return {};
 }
@@ -103,7 +103,7 @@ int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done)
   const int parts = std::max(1, static_cast<int>(std::ceil(motion_->set(mesh_, predicted) / longest - 1e-9)));
   if (parts == 1 || !options_.collisions) return 1;
   done.move_seconds += seconds_of([&] {
-    const MoveResult moved = move_if_free(mesh_, predicted, held_.slots(), move_options());
+    const MoveResult moved = move_if_free(mesh_, predicted, hold_->held.slots(), move_options());
     done.move = moved;
   });
   return done.move.fraction > 0 ? 0 : parts;
@@ -135,7 +135,7 @@ TopologyStatistics SurfaceTracker::change_topology() {
   const TopologyOptions& options = options_.topology;
   if (!options.enabled) return statistics;
   statistics.seconds = seconds_of([&] {
-    RemeshContext context(mesh_, held_, options_.remesh, observers_);
+    RemeshContext context(mesh_, hold_->held, options_.remesh, observers_);
     TopologyPass pass(
         context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
     if (options.collapse_regions) pass.collapse_small_regions();
@@ -153,7 +153,7 @@ RemeshStatistics SurfaceTracker::remesh() {
   RemeshStatistics statistics;
   if (!options_.remeshing) return statistics;
   for (int i = 0; i < options_.remeshing_iterations; ++i) {
-    Remesher remesher(mesh_, held_, options_.remesh, observers_);
+    Remesher remesher(mesh_, hold_->held, options_.remesh, observers_);
     statistics += remesher.run();
   }
   if (has_many_gaps(mesh_)) mesh_.compact();

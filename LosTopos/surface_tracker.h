@@ -6,6 +6,7 @@
 
 #include "LosTopos/collision/safe_move.h"
 #include "LosTopos/mesh/surface_mesh.h"
+#include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/operation_events.h"
 #include "LosTopos/remeshing/remesh_options.h"
 #include "LosTopos/remeshing/remesh_statistics.h"
@@ -52,8 +53,9 @@ class SurfaceTracker {
   SurfaceMesh& mesh() { return mesh_; }
   const TrackerOptions& options() const { return options_; }
 
-  /// Not zero: the vertex is moved by its prediction only, never by collisions or remeshing.
-  VertexAttribute<char>& held() { return held_; }
+  /// What of a vertex is moved by its prediction only, never by collisions or remeshing: all of it, or some of its
+  /// coordinates (see mesh/hold.h), as on a wall along which the surface slides. Handed on to new vertices.
+  VertexAttribute<char>& held() { return hold_->held; }
 
   /// Is told of every operation of `remesh`; must live as long as it is called.
   void add_observer(OperationObserver& observer) { observers_.push_back(&observer); }
@@ -88,7 +90,7 @@ class SurfaceTracker {
 
   SurfaceMesh mesh_;
   TrackerOptions options_;
-  VertexAttribute<char> held_;
+  std::unique_ptr<HoldTransfer> hold_;
   std::unique_ptr<CarriedMotion> motion_;  ///< of the last step; only where the topology may change
   std::vector<OperationObserver*> observers_;
 };

@@ -1,51 +1,21 @@
 #pragma once
 
-#include <tbb/global_control.h>
-
-#include <chrono>
-#include <optional>
-#include <string>
-
+#include "Console/interrupt_guard.h"
+#include "Console/progress.h"
+#include "Console/thread_limit.h"
 #include "FoamSim/run/run.h"
 
 namespace foamsim::app {
 
-/// Limits the threads of everything that follows, while it lives; 0: no limit.
-class ThreadLimit {
+using console::InterruptGuard;
+using console::ThreadLimit;
+
+/// Shows how far a simulation is.
+class Progress : public console::Progress {
  public:
-  explicit ThreadLimit(int threads) {
-    if (threads > 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  }
-
- private:
-  std::optional<tbb::global_control> limit_;
-};
-
-/// Turns Ctrl-C (SIGINT) and SIGTERM into a question that a run asks after every step, while it lives; a second signal
-/// ends the program at once.
-class InterruptGuard {
- public:
-  InterruptGuard();
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-  ~InterruptGuard();
-  static bool interrupted();
-};
-
-/// Shows how far a run is: a bar on a terminal, a line every few seconds elsewhere, nothing when quiet.
-class Progress {
- public:
-  Progress(std::string label, bool quiet);
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress();
-  void show(const Metrics& metrics, double fraction);
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::string label_;
-  bool quiet_, terminal_, drawn_ = false;
-  Clock::time_point start_, last_;
+  using console::Progress::Progress;
+  using console::Progress::show;
+  void show(const Metrics& metrics, double fraction) { show(metrics.step, metrics.time, fraction); }
 };
 
 /// Hooks that show progress and ask for interruption.

@@ -1,22 +1,13 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
+#include "LosTopos/options/option_value.h"
 
 namespace foamsim {
 
-/// What an option can hold: a flag, a whole number, a number, a word, or a list of words.
-using OptionValue = std::variant<bool, long, double, std::string, std::vector<std::string>>;
-
-/// "a whole number", "true or false", … : the kind of `value` for messages.
-std::string_view kind_of(const OptionValue& value);
-/// As written in a scene file; numbers with all their digits.
-std::string to_text(const OptionValue& value);
-/// Reads `text` as the kind of `like` (lists are separated by commas). Throws lostopos::InputError that names the kind.
-OptionValue parse_option(std::string_view text, const OptionValue& like);
-/// `value` as the kind of `like`: whole numbers pass as numbers. Throws lostopos::InputError for any other mismatch.
-OptionValue convert_option(const OptionValue& value, const OptionValue& like);
+using lostopos::convert_option;
+using lostopos::kind_of;
+using lostopos::OptionValue;
+using lostopos::parse_option;
+using lostopos::to_text;
 
 }  // namespace foamsim

@@ -1,27 +1,10 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <string>
+#include "LosTopos/io/csv_table.h"
 
 namespace foamsim {
 
-/// A CSV file that grows row by row. After an error it ends with the last whole row.
-class CsvTable {
- public:
-  /// Writes the header line, or goes on behind what `file` holds when `append`. Throws lostopos::FileError.
-  CsvTable(std::filesystem::path file, const std::string& header, bool append = false);
-  /// Adds one line (or several, each with its newline) and hands it to the system. Throws lostopos::FileError, e.g.
-  /// when the disk is full; the part of a row that got through is cut off again.
-  void add(const std::string& rows);
-
- private:
-  std::filesystem::path file_;
-  std::ofstream stream_;
-  std::uintmax_t whole_ = 0;  // bytes up to the end of the last whole row
-};
-
-/// Cuts a table back to the header and the rows whose first column, a step, is at most `last_step`.
-void keep_rows_until(const std::filesystem::path& file, long last_step);
+using lostopos::CsvTable;
+using lostopos::keep_rows_until;
 
 }  // namespace foamsim

@@ -25,7 +25,7 @@ bool apply_impulse(Motion& motion, const Contact& contact) {
   if (!(lacking > 0)) return false;
   double mobility = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    mobility += contact.weights[i] * contact.weights[i] * motion.inverse_mass(contact.pair.vertices[i]);
+    mobility += contact.weights[i] * contact.weights[i] * motion.mobility(contact.pair.vertices[i], contact.normal);
   }
   if (mobility == 0) return false;
   double largest_weight = 0;

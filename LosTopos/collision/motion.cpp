@@ -21,6 +21,20 @@ Vec3 Motion::asked(Vertex v) const {
   return (1 - fraction_) * starts_[v.index()] + fraction_ * predicted_[v.index()];
 }
 
+double Motion::mobility(Vertex v, const Vec3& direction) const {
+  return hold(v) == hold_none ? 1 : free_part(hold(v), direction).squaredNorm();
+}
+
+void Motion::set_end(Vertex v, const Vec3& x) {
+  ends_[v.index()] = x;
+  if (const char hold_of_v = hold(v); hold_of_v != hold_none) {
+    const Vec3 prescribed = asked(v);
+    for (int i = 0; i < 3; ++i)
+      if (holds(hold_of_v, i)) ends_[v.index()][i] = prescribed[i];
+  }
+  note_changed(v);
+}
+
 void Motion::forget_changes() {
   for (Vertex v : changed_) is_changed_[v.index()] = 0;
   changed_.clear();

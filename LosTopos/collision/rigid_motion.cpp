@@ -48,6 +48,22 @@ RigidMotion fit(const Motion& motion, std::span<const Vertex> vertices) {
   return result;
 }
 
+// A body with vertices that slide goes where their held coordinates are asked to go, and does not turn.
+void follow_held_coordinates(const Motion& motion, std::span<const Vertex> zone, RigidMotion& body) {
+  Vec3 sum = Vec3::Zero(), count = Vec3::Zero();
+  for (Vertex v : zone) {
+    for (int i = 0; i < 3; ++i) {
+      if (!holds(motion.hold(v), i)) continue;
+      sum[i] += motion.asked(v)[i] - motion.starts()[v.index()][i];
+      count[i] += 1;
+    }
+  }
+  if (count.isZero(0)) return;
+  body.rotation = Mat3::Identity();
+  for (int i = 0; i < 3; ++i)
+    if (count[i] > 0) body.translation[i] = sum[i] / count[i];
+}
+
 }  // namespace
 
 void move_rigidly(Motion& motion, std::span<const Vertex> zone) {
@@ -55,7 +71,8 @@ void move_rigidly(Motion& motion, std::span<const Vertex> zone) {
   for (Vertex v : zone) {
     if (motion.held(v)) leaders.push_back(v);
   }
-  const RigidMotion body = leaders.empty() ? fit(motion, zone) : fit(motion, leaders);
+  RigidMotion body = leaders.empty() ? fit(motion, zone) : fit(motion, leaders);
+  if (leaders.empty()) follow_held_coordinates(motion, zone, body);
   for (Vertex v : zone) {
     if (motion.held(v)) continue;
     const Vec3& start = motion.starts()[v.index()];

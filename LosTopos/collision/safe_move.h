@@ -61,10 +61,10 @@ class CollisionFailure : public MotionError {
 /// Moves the vertices to positions near `predicted` so that on the straight way there no vertex meets a triangle and no
 /// edge an edge but those it has a vertex in common with.
 ///
-/// predicted: L, indexed by vertex handle, one per slot (dead slots are not read). held: the same size, not 0 for
-/// vertices of infinite mass that go to their predicted positions to the bit (at a fraction < 1: to that fraction of
-/// the way); empty when there are none. All other vertices have the same mass, and responses between them keep the
-/// sum of their displacements.
+/// predicted: L, indexed by vertex handle, one per slot (dead slots are not read). held: the same size, see
+/// mesh/hold.h: held vertices, and the held coordinates of those that slide, go to their predicted positions to the bit
+/// (at a fraction < 1: to that fraction of the way); empty when there are none. All other vertices have the same mass,
+/// and responses between them keep the sum of their displacements.
 ///
 /// Method: Bridson, Fedkiw and Anderson 2002, "Robust treatment of collisions, contact and friction for cloth
 /// animation" (repulsions, impulses, rigid impact zones); Harmon, Vouga, Tamstorf and Grinspun 2008, "Robust treatment

@@ -33,7 +33,9 @@ std::vector<Share> shares_by_vertex(const Motion& motion, std::span<const Contac
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     for (std::size_t i = 0; i < 4; ++i) {
       const Vertex v = contacts[k].pair.vertices[i];
-      if (!motion.held(v)) shares.push_back({v, static_cast<int>(k), 0, contacts[k].weights[i] * contacts[k].normal});
+      if (motion.held(v)) continue;
+      shares.push_back(
+          {v, static_cast<int>(k), 0, contacts[k].weights[i] * free_part(motion.hold(v), contacts[k].normal)});
     }
   }
   std::ranges::stable_sort(shares, {}, &Share::vertex);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/invariants/connectivity.h"
 #include "LosTopos/remeshing/invariants/shape.h"
@@ -24,21 +25,30 @@ bool has_edge(const SurfaceMesh& mesh, Triangle t, Edge e) {
   return std::ranges::find(mesh.edges(t), e) != mesh.edges(t).end();
 }
 
+// The end that is held less, if one is, goes to where the other is held as well: it leaves no wall that it is in.
+bool stays_in_walls(const SurfaceMesh& mesh, Vertex a, char hold_a, Vertex b, char hold_b) {
+  if (hold_a == hold_none || hold_b == hold_none) return true;
+  const char common = common_hold(hold_a, mesh.position(a), hold_b, mesh.position(b));
+  return common == held_coordinates(hold_a) || common == held_coordinates(hold_b);
+}
+
 }  // namespace
 
 // Which end stays, and where between the two.
 std::optional<Refusal> EdgeCollapse::choose_ends(Edge e) {
   const auto [a, b] = c_.mesh.vertices(e);
-  const bool held_a = c_.held[a] != 0, held_b = c_.held[b] != 0;
-  if (held_a && held_b) return Refusal::held;
+  const char hold_a = c_.held[a], hold_b = c_.held[b];
+  if (is_held(hold_a) && is_held(hold_b)) return Refusal::held;
+  if (!stays_in_walls(c_.mesh, a, hold_a, b, hold_b)) return Refusal::held;
+  const bool more_a = !holds_all_of(hold_b, hold_a), more_b = !holds_all_of(hold_a, hold_b);
   if (!keeps_junctions(c_.mesh, e)) return Refusal::junction_topology;
   const VertexRank rank_a = rank(c_.mesh, a), rank_b = rank(c_.mesh, b);
-  const bool a_stays = held_a || (!held_b && (rank_a > rank_b || (rank_a == rank_b && a < b)));
+  const bool a_stays = more_a || (!more_b && (rank_a > rank_b || (rank_a == rank_b && a < b)));
   kept_ = a_stays ? a : b;
   removed_ = a_stays ? b : a;
-  const bool equals = rank_a == rank_b && !held_a && !held_b;
+  const bool equals = rank_a == rank_b && !more_a && !more_b;
   t_ = equals ? 0.5 : 0;
-  // A held vertex that is bound less would pull the curve off its place.
+  // A vertex that is held more but bound less would pull the curve off its place.
   if ((a_stays ? rank_a : rank_b) < (a_stays ? rank_b : rank_a)) return Refusal::held;
   return {};
 }
@@ -61,7 +71,7 @@ void EdgeCollapse::plan_on_edge(Edge e) {
 
 Vec3 EdgeCollapse::volume_keeping_position(Edge e) const {
   if (t_ == 0) return position_;
-  const Vec3 shift = VolumeChange(c_.mesh, c_.plan, kept_).restoring_shift();
+  const Vec3 shift = VolumeChange(c_.mesh, c_.plan, kept_).restoring_shift(c_.held[kept_]);
   const bool small = shift.norm() <= largest_shift * length(c_.mesh, e);
   return small ? Vec3(position_ + shift) : position_;
 }

@@ -6,9 +6,10 @@
 
 namespace lostopos {
 
-/// Merges the two ends of an edge. The result is at the end that is bound more (held, then corner, border, film: see
-/// VertexRank). Between equals it is at the midpoint, shifted so that no region's volume changes: along the normal on a
-/// film, across the curve on a border.
+/// Merges the two ends of an edge. The result is at the end that is bound more (held in more coordinates, then corner,
+/// border, film: see VertexRank); ends that are held in different coordinates, or in different places, do not merge.
+/// Between equals it is at the midpoint, shifted so that no region's volume changes: along the normal on a film, across
+/// the curve on a border.
 class EdgeCollapse {
  public:
   explicit EdgeCollapse(RemeshContext& context) : c_(context) {}

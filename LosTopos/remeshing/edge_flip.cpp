@@ -1,7 +1,9 @@
 #include "LosTopos/remeshing/edge_flip.h"
 
 #include <Eigen/Geometry>
+#include <bit>
 
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/invariants/shape.h"
 #include "LosTopos/remeshing/invariants/volume.h"
@@ -36,6 +38,12 @@ Labels labels_along(const SurfaceMesh& mesh, Triangle t, Edge e) {
 PlannedTriangle planned_triangle(const SurfaceMesh& mesh, const std::array<Vertex, 3>& v, Labels labels,
                                  Triangle parent, const Vec3& normal) {
   return {v, {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])}, labels, parent, normal, false};
+}
+
+// Between two walls: another edge would cut the crease off.
+bool is_in_crease(const SurfaceMesh& mesh, Vertex a, char hold_a, Vertex b, char hold_b) {
+  const char common = common_hold(hold_a, mesh.position(a), hold_b, mesh.position(b));
+  return std::popcount(static_cast<unsigned char>(common)) >= 2;
 }
 
 }  // namespace
@@ -83,7 +91,7 @@ std::optional<Refusal> EdgeFlip::plan_flip(Edge e) {
 std::optional<Refusal> EdgeFlip::plan_shift(Edge e) {
   moved_ = Vertex();
   for (Vertex v : opposite_)
-    if (!moved_.valid() && !c_.held[v] && rank(c_.mesh, v) == VertexRank::film) moved_ = v;
+    if (!moved_.valid() && !is_held(c_.held[v]) && rank(c_.mesh, v) == VertexRank::film) moved_ = v;
   if (moved_.valid()) {
     const Vec3& start = c_.mesh.position(moved_);
     const ShapeSummary before = c_.plan.before;
@@ -93,7 +101,7 @@ std::optional<Refusal> EdgeFlip::plan_shift(Edge e) {
       c_.plan.replaced.push_back(t);
       c_.plan.add_moved(c_.mesh, t, moved_, moved_, start);
     }
-    const Vec3 shift = VolumeChange(c_.mesh, c_.plan, moved_).restoring_shift();
+    const Vec3 shift = VolumeChange(c_.mesh, c_.plan, moved_).restoring_shift(c_.held[moved_]);
     const double new_length = (c_.mesh.position(opposite_[1]) - c_.mesh.position(opposite_[0])).norm();
     position_ = shift.norm() <= largest_shift * new_length ? Vec3(start + shift) : start;
     c_.motion.clear();
@@ -113,7 +121,8 @@ std::optional<Refusal> EdgeFlip::plan_shift(Edge e) {
 
 std::optional<Refusal> EdgeFlip::check(Edge e) {
   const auto [a, b] = c_.mesh.vertices(e);
-  if (c_.held[a] && c_.held[b]) return Refusal::held;
+  if (is_held(c_.held[a]) && is_held(c_.held[b])) return Refusal::held;
+  if (is_in_crease(c_.mesh, a, c_.held[a], b, c_.held[b])) return Refusal::held;
   if (is_border(c_.mesh, e)) return Refusal::junction_topology;
   if (const auto refusal = plan_flip(e)) return refusal;
   return plan_shift(e);

@@ -1,5 +1,6 @@
 #include "LosTopos/remeshing/edge_split.h"
 
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/remeshing/invariants/shape.h"
 #include "LosTopos/remeshing/invariants/volume.h"
 #include "LosTopos/remeshing/smooth_position.h"
@@ -35,12 +36,22 @@ std::optional<Refusal> EdgeSplit::plan_at(Edge e, const Vec3& position) {
   return {};
 }
 
+// The coordinates that both ends hold stay.
+Vec3 EdgeSplit::in_common_walls(Edge e, Vec3 position) const {
+  const auto [a, b] = c_.mesh.vertices(e);
+  const Vec3& x = c_.mesh.position(a);
+  const char common = common_hold(c_.held[a], x, c_.held[b], c_.mesh.position(b));
+  for (int i = 0; i < 3; ++i)
+    if (holds(common, i)) position[i] = x[i];
+  return position;
+}
+
 std::optional<Refusal> EdgeSplit::check(Edge e) {
   const auto [a, b] = c_.mesh.vertices(e);
-  if (c_.held[a] && c_.held[b]) return Refusal::held;
+  if (is_held(c_.held[a]) && is_held(c_.held[b])) return Refusal::held;
   if (c_.options.use_butterfly) {
     const auto smooth = is_border(c_.mesh, e) ? border_position(c_.mesh, e) : butterfly_position(c_.mesh, e);
-    if (smooth && !plan_at(e, *smooth)) return {};
+    if (smooth && !plan_at(e, in_common_walls(e, *smooth))) return {};
   }
   return plan_at(e, 0.5 * (c_.mesh.position(a) + c_.mesh.position(b)));
 }

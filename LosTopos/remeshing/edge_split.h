@@ -21,6 +21,7 @@ class EdgeSplit {
   Vertex added() const { return added_; }
 
  private:
+  Vec3 in_common_walls(Edge e, Vec3 position) const;
   std::optional<Refusal> plan_at(Edge e, const Vec3& position);
 
   RemeshContext& c_;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <boost/container/static_vector.hpp>
 
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/invariants/shape.h"
 #include "LosTopos/remeshing/invariants/volume.h"
@@ -61,8 +62,9 @@ Eigen::Matrix3d normal_quadric(const SurfaceMesh& mesh, Vertex v) {
   return quadric;
 }
 
-// d without its components along the gradients of the regions' volumes: Gram–Schmidt, for full accuracy.
-Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, ChangePlan& plan, Vec3 d) {
+// The free part of d without its components along the gradients of the regions' volumes: Gram–Schmidt, for full
+// accuracy.
+Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, char hold, ChangePlan& plan, Vec3 d) {
   // What is left of a gradient after the others (on a border the three sum up to zero) and counts as rounding.
   constexpr double negligible = 1e-6;
   plan.clear();
@@ -70,10 +72,12 @@ Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, ChangePlan& plan, Vec3 d
   const VolumeChange volumes(mesh, plan, v);
   boost::container::static_vector<Vec3, 3> basis;
   for (const auto& r : volumes.regions()) {
-    Vec3 rest = r.gradient;
+    const Vec3 gradient = free_part(hold, r.gradient);
+    Vec3 rest = gradient;
     for (const Vec3& direction : basis) rest -= direction.dot(rest) * direction;
-    if (basis.size() < 3 && rest.norm() > negligible * r.gradient.norm()) basis.push_back(rest.normalized());
+    if (basis.size() < 3 && rest.norm() > negligible * gradient.norm()) basis.push_back(rest.normalized());
   }
+  d = free_part(hold, d);
   for (const Vec3& direction : basis) d -= direction.dot(d) * direction;
   return d;
 }
@@ -98,12 +102,12 @@ std::optional<Refusal> NullSpaceSmoothing::plan_move(Vertex v, const Vec3& targe
 }
 
 std::optional<Refusal> NullSpaceSmoothing::check(Vertex v) {
-  if (c_.held[v]) return Refusal::held;
+  if (is_held(c_.held[v])) return Refusal::held;
   const VertexRank bound = rank(c_.mesh, v);
   if (bound == VertexRank::corner) return Refusal::junction_topology;
   Vec3 step = bound == VertexRank::border ? step_along_border(c_.mesh, v) : step_in_film(c_.mesh, v);
   step = in_null_space(normal_quadric(c_.mesh, v), c_.options.smoothing_tolerance, step);
-  step = keeping_volumes(c_.mesh, v, c_.plan, step);
+  step = keeping_volumes(c_.mesh, v, c_.held[v], c_.plan, step);
   if (step.isZero(0)) return Refusal::not_better;
   std::optional<Refusal> refusal;
   for (double share : {1.0, 0.5}) {

@@ -16,7 +16,7 @@ namespace lostopos {
 /// intersections at the start and must not be changed by others while the context is in use.
 class RemeshContext {
  public:
-  /// `held`: not zero for vertices that no operation may move or remove. `index`: see SurfaceIndex; may be null. Throws
+  /// `held`: what no operation may move or remove, see mesh/hold.h. `index`: see SurfaceIndex; may be null. Throws
   /// InputError for options out of range.
   RemeshContext(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
                 std::span<OperationObserver* const> observers = {}, BroadPhase* index = nullptr)

@@ -14,9 +14,9 @@ namespace lostopos {
 /// mesh, checked, and then done or refused for a reason that is counted.
 class Remesher {
  public:
-  /// `held`: not zero for vertices that must not move; new vertices get the attribute's default. `observers` are told
-  /// of every operation, in their order. All of them must outlive the remesher. Throws InputError for options out of
-  /// range.
+  /// `held`: see mesh/hold.h; a new vertex has the attribute's default until an observer (see HoldTransfer) hands on
+  /// what its edge's ends have in common. `observers` are told of every operation, in their order. All of them must
+  /// outlive the remesher. Throws InputError for options out of range.
   Remesher(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
            std::vector<OperationObserver*> observers = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/invariants/shape.h"
 #include "LosTopos/topology/coincident_triangles.h"
 
@@ -30,6 +31,14 @@ bool have_common(const std::vector<Vertex>& a, const std::vector<Vertex>& b) {
   return std::ranges::any_of(a, [&](Vertex v) { return std::ranges::binary_search(b, v); });
 }
 
+// Whether the sites are held in one coordinate at two values: in opposite walls.
+bool leaves_wall(const SurfaceMesh& mesh, const std::array<Site, 2>& sites, const std::array<char, 2>& holds_of) {
+  const Vec3 &x = mesh.position(sites[0].place.vertices[0]), &y = mesh.position(sites[1].place.vertices[0]);
+  for (int i = 0; i < 3; ++i)
+    if (holds(holds_of[0], i) && holds(holds_of[1], i) && x[i] != y[i]) return true;
+  return false;
+}
+
 }  // namespace
 
 // The place that is bound more stays where it is; equals meet in the middle.
@@ -39,16 +48,25 @@ std::optional<Refusal> PlaceMerge::choose_position() {
   // The middle of a held wire or solid must not get a vertex that belongs to a film only.
   for (std::size_t i = 0; i < 2; ++i)
     if (held[i] && !sites_[i].vertex.valid()) return Refusal::held;
+  const std::array<char, 2> holds_of = {common_hold(c_.mesh, c_.held, sites_[0].place),
+                                        common_hold(c_.mesh, c_.held, sites_[1].place)};
+  if (leaves_wall(c_.mesh, sites_, holds_of)) return Refusal::held;
+  const std::array<bool, 2> bound = {held[0] || !holds_all_of(holds_of[1], holds_of[0]),
+                                     held[1] || !holds_all_of(holds_of[0], holds_of[1])};
+  if (bound[0] && bound[1]) return Refusal::held;
   const VertexRank rank0 = rank(c_.mesh, sites_[0]), rank1 = rank(c_.mesh, sites_[1]);
   t_ = 0.5;
-  if (held[0] || (!held[1] && rank0 > rank1)) t_ = 0;
-  if (held[1] || (!held[0] && rank1 > rank0)) t_ = 1;
+  if (bound[0] || (!bound[1] && rank0 > rank1)) t_ = 0;
+  if (bound[1] || (!bound[0] && rank1 > rank0)) t_ = 1;
   position_ = (1 - t_) * sites_[0].point + t_ * sites_[1].point;
   if (t_ == 0) position_ = sites_[0].point;
   if (t_ == 1) position_ = sites_[1].point;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (int i = 0; i < 3; ++i)
+      if (holds(holds_of[k], i)) position_[i] = c_.mesh.position(sites_[k].place.vertices[0])[i];  // to the bit
   const Vertex a = sites_[0].vertex, b = sites_[1].vertex;
   if (a.valid() && b.valid())
-    kept_ = held[0] || (!held[1] && a < b) ? a : b;
+    kept_ = bound[0] || (!bound[1] && a < b) ? a : b;
   else
     kept_ = a.valid() ? a : b.valid() ? b : planned_vertex;
   return {};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "LosTopos/geometry/distance.h"
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace lostopos {
@@ -90,7 +91,7 @@ VertexRank rank(const SurfaceMesh& mesh, const Site& site) {
 }
 
 bool is_held(const VertexAttribute<char>& held, const Site& site) {
-  return std::ranges::all_of(site.vertices(), [&](Vertex v) { return held[v] != 0; });
+  return std::ranges::all_of(site.vertices(), [&](Vertex v) { return is_held(held[v]); });
 }
 
 double transversality(const SurfaceMesh& mesh, const Site& site, const Vec3& direction) {

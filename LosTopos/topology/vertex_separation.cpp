@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "LosTopos/geometry/triangle_quality.h"
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/invariants/shape.h"
 #include "LosTopos/topology/planned_consistency.h"
@@ -99,7 +100,9 @@ void VertexSeparation::consider(Vertex v, const SurfaceMesh::TriangleList& leavi
                                 const SurfaceMesh::TriangleList& other, Region leaving_region, Region other_region) {
   const SurfaceMesh& mesh = c_.mesh;
   auto position = [&](Vertex w) { return mesh.position(w); };
-  const Vec3 across = mean_over_link(mesh, v, leaving, position) - mean_over_link(mesh, v, other, position);
+  // In a wall both results stay there.
+  const Vec3 across =
+      free_part(c_.held[v], mean_over_link(mesh, v, leaving, position) - mean_over_link(mesh, v, other, position));
   const double width = across.norm();
   if (!(width > 0)) return;
   Candidate candidate{leaving, leaving_region, other_region, across / width, 0};
@@ -176,7 +179,7 @@ void VertexSeparation::carry_out(Vertex v) {
 }
 
 std::optional<Refusal> VertexSeparation::attempt(Vertex v) {
-  if (c_.held[v] != 0) return Refusal::held;
+  if (is_held(c_.held[v])) return Refusal::held;
   list_candidates(v);
   if (candidates_.empty()) return Refusal::not_better;
   std::ranges::stable_sort(candidates_, std::ranges::greater{}, &Candidate::gain);

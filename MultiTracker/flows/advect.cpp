@@ -21,15 +21,18 @@ Vec3 moved(const Flow& flow, const Vec3& x, double time, double dt) {
 
 }  // namespace
 
-void advect(lostopos::SurfaceTracker& tracker, const Flow& flow, double time, double dt) {
-  const auto positions = tracker.mesh().positions();
-  std::vector<Vec3> predicted(positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 256),
+std::vector<Vec3> carried(const Flow& flow, std::span<const Vec3> points, double time, double dt) {
+  std::vector<Vec3> ends(points.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        predicted[i] = moved(flow, positions[i], time, dt);
+                        ends[i] = moved(flow, points[i], time, dt);
                     });
-  tracker.advance(predicted);
+  return ends;
+}
+
+void advect(lostopos::SurfaceTracker& tracker, const Flow& flow, double time, double dt) {
+  tracker.advance(carried(flow, tracker.mesh().positions(), time, dt));
 }
 
 }  // namespace multitracker

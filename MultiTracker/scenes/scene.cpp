@@ -1,43 +1,61 @@
 #include "MultiTracker/scenes/scene.h"
 
+#include "LosTopos/mesh/measures.h"
 #include "LosTopos/names/nearest_name.h"
-#include "LosTopos/shapes/solids.h"
-#include "MultiTracker/flows/enright.h"
-#include "MultiTracker/flows/rotation.h"
+#include "LosTopos/options/tracker_options.h"
+#include "MultiTracker/scenes/scene_lists.h"
 
 namespace multitracker {
 
-using lostopos::SurfaceMesh;
-using lostopos::Vec3;
-
-namespace {
-
-SurfaceMesh sphere_at(const Vec3& centre, double radius, long subdivisions) {
-  SurfaceMesh mesh = lostopos::icosphere(subdivisions, radius);
-  for (lostopos::Vertex v : mesh.vertices()) mesh.set_position(v, mesh.position(v) + centre);
-  return mesh;
-}
-
-}  // namespace
+using lostopos::OptionSet;
+using lostopos::OptionSpec;
 
 const std::vector<SceneEntry>& scene_entries() {
-  static const std::vector<SceneEntry> entries{
-      {"enright", "a sphere drawn out into a thin sheet and back (LeVeque 1996, Enright et al. 2002)",
-       [](long n) {
-         return sphere_at({0.35, 0.35, 0.35}, 0.15, n);
-       },
-       []() -> std::unique_ptr<Flow> { return std::make_unique<EnrightFlow>(); }},
-      {"rotation", "a sphere carried once around an axis (after Zalesak 1979)",
-       [](long n) {
-         return sphere_at({0.5, 0.75, 0.5}, 0.15, n);
-       },
-       []() -> std::unique_ptr<Flow> { return std::make_unique<RotationFlow>(Vec3(0.5, 0.5, 0.5)); }},
-  };
+  static const std::vector<SceneEntry> entries = [] {
+    std::vector<SceneEntry> all = prescribed_scenes();
+    for (auto more : {growth_scenes(), film_scenes()})
+      for (SceneEntry& entry : more) all.push_back(std::move(entry));
+    return all;
+  }();
   return entries;
 }
 
 const SceneEntry& scene_by_name(std::string_view name) {
   return lostopos::find_by_name(scene_entries(), name, "scene");
+}
+
+std::vector<OptionSpec> common_option_specs() {
+  std::vector<OptionSpec> specs{
+      lostopos::non_negative_number("resolution", 0, "target mean edge length; 0: that of the start surface"),
+      lostopos::whole_number("steps", 100, 0, "number of steps"),
+      lostopos::whole_number("frame_every", 10, 0, "steps from one frame to the next; 0: only the first and the last"),
+      lostopos::whole_number("seed", 1, 0, "seed of everything random"),
+  };
+  lostopos::TrackerOptions plain;
+  plain.remesh.max_volume_change = 1e-4;
+  plain.topology.enabled = true;
+  plain.topology.merge_distance = 0.02;
+  plain.topology.separation = lostopos::SeparationRule::flow;
+  for (OptionSpec& spec : lostopos::tracker_option_specs(plain)) specs.push_back(std::move(spec));
+  return specs;
+}
+
+OptionSet options_of(const SceneEntry& scene) {
+  std::vector<OptionSpec> specs = common_option_specs();
+  specs.insert(specs.begin(), scene.options.begin(), scene.options.end());
+  OptionSet options(std::move(specs));
+  for (const auto& [key, value] : scene.defaults) options.set_default(key, value);
+  return options;
+}
+
+lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const OptionSet& options,
+                                       lostopos::SurfaceMesh surface) {
+  lostopos::TrackerOptions tracker_options = lostopos::tracker_options(options);
+  const double resolution = options.number("resolution");
+  tracker_options.resolution = resolution > 0 ? resolution : lostopos::mean_edge_length(surface);
+  lostopos::SurfaceTracker tracker(std::move(surface), tracker_options);
+  if (scene.hold != nullptr) scene.hold(options, tracker);
+  return tracker;
 }
 
 }  // namespace multitracker

@@ -49,13 +49,14 @@ double VolumeChange::largest() const {
   return largest;
 }
 
-Vec3 VolumeChange::restoring_shift() const {
+Vec3 VolumeChange::restoring_shift(char hold) const {
   constexpr double negligible = 0.01;
   Eigen::Matrix3d quadric = Eigen::Matrix3d::Zero();
   Vec3 wanted = Vec3::Zero();
   for (const OfRegion& r : regions_) {
-    quadric += r.gradient * r.gradient.transpose();
-    wanted -= r.volume * r.gradient;
+    const Vec3 gradient = free_part(hold, r.gradient);
+    quadric += gradient * gradient.transpose();
+    wanted -= r.volume * gradient;
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes;
   modes.computeDirect(quadric);
@@ -67,7 +68,7 @@ Vec3 VolumeChange::restoring_shift() const {
     const Vec3 mode = modes.eigenvectors().col(i);
     shift += mode.dot(wanted) / eigenvalue * mode;
   }
-  return shift;
+  return free_part(hold, shift);  // to the bit
 }
 
 bool keeps_volumes(const ChangePlan& plan, const Limits& limits) {

@@ -2,6 +2,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/remeshing/change_plan.h"
 #include "LosTopos/remeshing/limits.h"
 
@@ -28,8 +29,9 @@ class VolumeChange {
   /// The shortest displacement of the vertex that undoes all the gains and losses, exactly where the surface is closed
   /// (volumes are linear in the position of one vertex): the least-norm solution of gradient_r · d = −volume_r over all
   /// regions r. On a film it is along the normal, on a junction curve across it. Directions in which the volumes hardly
-  /// depend on the position (eigenvalues of Σ g gᵀ below 1% of the largest) are left out.
-  Vec3 restoring_shift() const;
+  /// depend on the position (eigenvalues of Σ g gᵀ below 1% of the largest) are left out. Held coordinates of the
+  /// vertex stay, to the bit.
+  Vec3 restoring_shift(char hold = hold_none) const;
 
  private:
   OfRegion& at(Region region);

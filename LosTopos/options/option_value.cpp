@@ -1,15 +1,15 @@
-#include "FoamSim/options/option_value.h"
+#include "LosTopos/options/option_value.h"
 
 #include <charconv>
 #include <limits>
 
 #include "LosTopos/error.h"
 
-namespace foamsim {
+namespace lostopos {
 namespace {
 
 [[noreturn]] void throw_mismatch(const std::string& text, const OptionValue& like) {
-  throw lostopos::InputError("'" + text + "' is not " + std::string(kind_of(like)));
+  throw InputError("'" + text + "' is not " + std::string(kind_of(like)));
 }
 
 template <class Number>
@@ -85,4 +85,4 @@ OptionValue convert_option(const OptionValue& value, const OptionValue& like) {
   throw_mismatch(to_text(value), like);
 }
 
-}  // namespace foamsim
+}  // namespace lostopos

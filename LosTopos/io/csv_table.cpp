@@ -1,4 +1,4 @@
-#include "FoamSim/output/csv_table.h"
+#include "LosTopos/io/csv_table.h"
 
 #include <cerrno>
 #include <cstring>
@@ -6,13 +6,13 @@
 #include "LosTopos/error.h"
 #include "LosTopos/io/atomic_file.h"
 
-namespace foamsim {
+namespace lostopos {
 
 CsvTable::CsvTable(std::filesystem::path file, const std::string& header, bool append) : file_(std::move(file)) {
   const bool going_on = append && std::filesystem::exists(file_);
   if (going_on) whole_ = std::filesystem::file_size(file_);
   stream_.open(file_, going_on ? std::ios::app : std::ios::trunc);
-  if (!stream_) throw lostopos::FileError("cannot write " + file_.string() + ": " + std::strerror(errno));
+  if (!stream_) throw FileError("cannot write " + file_.string() + ": " + std::strerror(errno));
   if (!going_on) add(header + "\n");
 }
 
@@ -27,14 +27,14 @@ void CsvTable::add(const std::string& rows) {
   stream_.close();
   std::error_code ignored;
   std::filesystem::resize_file(file_, whole_, ignored);
-  throw lostopos::FileError("cannot write " + file_.string() + ": " +
-                            (reason != 0 ? std::strerror(reason) : "the disk may be full"));
+  throw FileError("cannot write " + file_.string() + ": " +
+                  (reason != 0 ? std::strerror(reason) : "the disk may be full"));
 }
 
 void keep_rows_until(const std::filesystem::path& file, long last_step) {
   std::ifstream in(file);
   if (!in) return;
-  lostopos::AtomicFile out(file);
+  AtomicFile out(file);
   std::string line;
   bool header = true;
   while (std::getline(in, line)) {
@@ -45,4 +45,4 @@ void keep_rows_until(const std::filesystem::path& file, long last_step) {
   out.commit();
 }
 
-}  // namespace foamsim
+}  // namespace lostopos

@@ -1,12 +1,12 @@
-#include "FoamSim/options/option_set.h"
+#include "LosTopos/options/option_set.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "FoamSim/names/nearest_name.h"
 #include "LosTopos/error.h"
+#include "LosTopos/names/nearest_name.h"
 
-namespace foamsim {
+namespace lostopos {
 namespace {
 
 std::string prefix(std::string_view where) {
@@ -17,8 +17,8 @@ void require_allowed(const OptionSpec& spec, const OptionValue& value, std::stri
   const auto* number = std::get_if<double>(&value);
   const bool finite = number == nullptr || std::isfinite(*number);
   if (finite && (!spec.accepts || spec.accepts(value))) return;
-  throw lostopos::InputError(prefix(where) + spec.key + " = " + to_text(value) + " is not allowed; it has to be " +
-                             (spec.allowed.empty() ? "finite" : spec.allowed));
+  throw InputError(prefix(where) + spec.key + " = " + to_text(value) + " is not allowed; it has to be " +
+                   (spec.allowed.empty() ? "finite" : spec.allowed));
 }
 
 }  // namespace
@@ -32,17 +32,17 @@ std::size_t OptionSet::place_of(std::string_view key, std::string_view where) co
   if (it != specs_.end()) return static_cast<std::size_t>(it - specs_.begin());
   std::vector<std::string_view> known;
   for (const OptionSpec& spec : specs_) known.push_back(spec.key);
-  throw lostopos::InputError(prefix(where) + unknown_name_message("option", key, known));
+  throw InputError(prefix(where) + unknown_name_message("option", key, known));
 }
 
 void OptionSet::set_text(std::string_view key, std::string_view text, std::string_view where) {
   const std::size_t place = place_of(key, where);
   try {
     set(key, parse_option(text, specs_[place].default_value), where);
-  } catch (const lostopos::InputError& error) {
+  } catch (const InputError& error) {
     const std::string message = error.what();
     if (message.starts_with(prefix(where)) && !where.empty()) throw;
-    throw lostopos::InputError(prefix(where) + std::string(key) + ": " + message);
+    throw InputError(prefix(where) + std::string(key) + ": " + message);
   }
 }
 
@@ -51,8 +51,8 @@ void OptionSet::set(std::string_view key, const OptionValue& value, std::string_
   OptionValue converted;
   try {
     converted = convert_option(value, specs_[place].default_value);
-  } catch (const lostopos::InputError& error) {
-    throw lostopos::InputError(prefix(where) + std::string(key) + ": " + error.what());
+  } catch (const InputError& error) {
+    throw InputError(prefix(where) + std::string(key) + ": " + error.what());
   }
   require_allowed(specs_[place], converted, where);
   entries_[place] = {std::move(converted), true};
@@ -62,8 +62,8 @@ void OptionSet::append(std::string_view key, std::string_view words, std::string
   const std::size_t place = place_of(key, where);
   const auto* held = std::get_if<std::vector<std::string>>(&entries_[place].value);
   if (held == nullptr)
-    throw lostopos::InputError(prefix(where) + std::string(key) + " holds " +
-                               std::string(kind_of(entries_[place].value)) + "; += is for lists");
+    throw InputError(prefix(where) + std::string(key) + " holds " + std::string(kind_of(entries_[place].value)) +
+                     "; += is for lists");
   std::vector<std::string> all = *held;
   const OptionValue added = parse_option(words, specs_[place].default_value);
   for (const std::string& word : std::get<std::vector<std::string>>(added))
@@ -79,7 +79,7 @@ void OptionSet::set_default(std::string_view key, const OptionValue& value) {
 void OptionSet::set_assignment(std::string_view assignment, std::string_view where) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0)
-    throw lostopos::InputError(prefix(where) + "'" + std::string(assignment) + "' is not of the form key=value");
+    throw InputError(prefix(where) + "'" + std::string(assignment) + "' is not of the form key=value");
   const std::string_view text = assignment.substr(equals + 1);
   if (assignment[equals - 1] == '+')
     append(assignment.substr(0, equals - 1), text, where);
@@ -95,4 +95,4 @@ bool OptionSet::is_set(std::string_view key) const {
   return entries_[place_of(key, "")].set;
 }
 
-}  // namespace foamsim
+}  // namespace lostopos

@@ -1,8 +1,8 @@
-#include "FoamSim/options/option_spec.h"
+#include "LosTopos/options/option_spec.h"
 
 #include <cmath>
 
-namespace foamsim {
+namespace lostopos {
 
 OptionSpec positive_number(std::string key, double default_value, std::string summary) {
   return {std::move(key), default_value, std::move(summary), "a finite number > 0", [](const OptionValue& value) {
@@ -25,4 +25,4 @@ OptionSpec flag(std::string key, bool default_value, std::string summary) {
   return {std::move(key), default_value, std::move(summary), "true or false"};
 }
 
-}  // namespace foamsim
+}  // namespace lostopos

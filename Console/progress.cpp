@@ -1,0 +1,45 @@
+#include "Console/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace console {
+namespace {
+
+constexpr double bar_interval = 0.1, line_interval = 5;  // seconds
+
+}  // namespace
+
+Progress::Progress(std::string label, bool quiet)
+    : label_(std::move(label)),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(Clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+  if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::show(long step, double time, double fraction) {
+  if (quiet_) return;
+  const auto now = Clock::now();
+  if (std::chrono::duration<double>(now - last_).count() < (terminal_ ? bar_interval : line_interval)) return;
+  last_ = now;
+  drawn_ = true;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+  if (terminal_) {
+    constexpr int width = 30;
+    const int done = static_cast<int>(fraction * width);
+    std::fprintf(stderr, "\r\033[K%s [%.*s%.*s] step %ld  t %.3f  %.0f s left", label_.c_str(), done,
+                 "##############################", width - done, "..............................", step, time, left);
+    std::fflush(stderr);
+  } else {
+    std::fprintf(stderr, "%s: step %ld, time %.3f, %.0f%% done, about %.0f s left\n", label_.c_str(), step, time,
+                 100 * fraction, left);
+  }
+}
+
+}  // namespace console

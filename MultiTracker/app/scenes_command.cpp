@@ -1,0 +1,44 @@
+#include <cstdio>
+#include <memory>
+
+#include "MultiTracker/app/commands.h"
+#include "MultiTracker/scenes/scene.h"
+
+namespace multitracker::app {
+namespace {
+
+void print_option(const lostopos::OptionSpec& spec, const lostopos::OptionValue& value) {
+  std::printf("  %-28s %s (default %s)\n", spec.key.c_str(), spec.summary.c_str(), lostopos::to_text(value).c_str());
+}
+
+void print_all() {
+  std::printf("scenes (multitracker run NAME):\n");
+  for (const SceneEntry& entry : scene_entries()) {
+    std::printf("%-12s %s\n", entry.name.data(), entry.summary.data());
+    for (const lostopos::OptionSpec& spec : entry.options) print_option(spec, spec.default_value);
+  }
+  std::printf("\noptions of every scene (--set key=value); 'multitracker scenes NAME' shows the defaults of one:\n");
+  for (const lostopos::OptionSpec& spec : common_option_specs()) print_option(spec, spec.default_value);
+}
+
+void print_one(const SceneEntry& entry) {
+  std::printf("%s: %s\n", entry.name.data(), entry.summary.data());
+  const lostopos::OptionSet options = options_of(entry);
+  for (const lostopos::OptionSpec& spec : options.specs()) print_option(spec, options.value(spec.key));
+}
+
+}  // namespace
+
+void add_scenes_command(CLI::App& app, Program&) {
+  CLI::App* command = app.add_subcommand("scenes", "list the scenes and the keys of --set");
+  auto name = std::make_shared<std::string>();
+  command->add_option("scene", *name, "only this one, with its defaults");
+  command->callback([name] {
+    if (name->empty())
+      print_all();
+    else
+      print_one(scene_by_name(*name));
+  });
+}
+
+}  // namespace multitracker::app

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "MultiTracker/flows/surface_flow.h"
+
+namespace multitracker {
+
+/// Several flows in turn, each for the same time.
+class AlternatingFlow final : public SurfaceFlow {
+ public:
+  /// `duration`: of each turn, T; a step belongs to the flow whose turn it is in the middle of the step.
+  AlternatingFlow(std::vector<std::unique_ptr<SurfaceFlow>> flows, double duration)
+      : flows_(std::move(flows)), duration_(duration) {}
+  std::vector<lostopos::Vec3> predicted(const FlowStep& step) const override;
+
+ private:
+  std::vector<std::unique_ptr<SurfaceFlow>> flows_;
+  double duration_;
+};
+
+}  // namespace multitracker

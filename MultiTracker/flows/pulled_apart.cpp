@@ -1,0 +1,15 @@
+#include "MultiTracker/flows/pulled_apart.h"
+
+#include <cmath>
+
+namespace multitracker {
+
+std::vector<lostopos::Vec3> PulledApartFlow::predicted(const FlowStep& step) const {
+  auto ends = flow_->predicted(step);
+  for (lostopos::Vertex v : step.mesh.vertices())
+    if (lostopos::is_held(step.held[v.index()]))
+      ends[v.index()].x() += std::copysign(speed_ * step.dt, step.mesh.position(v).x());
+  return ends;
+}
+
+}  // namespace multitracker

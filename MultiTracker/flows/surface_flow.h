@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "LosTopos/mesh/hold.h"
+#include "LosTopos/mesh/surface_mesh.h"
+
+namespace multitracker {
+
+/// The surface at the start of a step, and the step.
+struct FlowStep {
+  const lostopos::SurfaceMesh& mesh;
+  std::span<const char> held;  ///< see lostopos/mesh/hold.h; one per vertex slot
+  double time, dt;             ///< T
+};
+
+/// What moves a surface. Prescribed velocity fields and motions that depend on the surface itself (growth along its
+/// normals, mean curvature) look the same to a run.
+class SurfaceFlow {
+ public:
+  SurfaceFlow() = default;
+  SurfaceFlow(const SurfaceFlow&) = delete;
+  SurfaceFlow& operator=(const SurfaceFlow&) = delete;
+  virtual ~SurfaceFlow() = default;
+
+  /// Where every vertex is to be at the end of the step (L), one entry per vertex slot. Held coordinates stay, unless
+  /// the flow is one that moves what is held.
+  virtual std::vector<lostopos::Vec3> predicted(const FlowStep& step) const = 0;
+};
+
+}  // namespace multitracker

@@ -1,0 +1,78 @@
+#include "MultiTracker/run/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "LosTopos/mesh/air_side.h"
+
+namespace multitracker {
+
+using lostopos::Region;
+using lostopos::SurfaceMesh;
+using lostopos::TopologyOperation;
+
+namespace {
+
+double largest_drift(const SurfaceMesh& mesh, std::span<const lostopos::RegionVolume> start) {
+  if (start.empty()) return 0;
+  const auto now = lostopos::region_volumes(mesh);
+  double largest = 0;
+  for (const auto& [region, volume] : start) {
+    if (region == lostopos::air || volume == 0) continue;
+    const auto it = std::ranges::find(now, region, &lostopos::RegionVolume::region);
+    largest = std::max(largest, std::abs((it == now.end() ? 0 : it->volume) / volume - 1));
+  }
+  return largest;
+}
+
+}  // namespace
+
+Metrics measure(const SurfaceMesh& mesh, const lostopos::TrackerStep& step,
+                std::span<const lostopos::RegionVolume> start_volumes) {
+  Metrics m;
+  m.vertices = mesh.vertex_count();
+  m.triangles = mesh.triangle_count();
+  m.regions = lostopos::regions(mesh).size();
+  const lostopos::AreaBySide areas = lostopos::area_by_side(mesh);
+  m.area = areas.air_side + areas.shared;
+  m.shared_area = areas.shared;
+  m.air_area = areas.air_side;
+  m.junction_edges = lostopos::junction_edge_count(mesh);
+  m.volume_drift_max = largest_drift(mesh, start_volumes);
+  m.motion_fraction = step.move.fraction;
+  m.snaps = step.topology[TopologyOperation::snap].done;
+  m.edge_merges = step.topology[TopologyOperation::edge_merge].done;
+  m.separations = step.topology[TopologyOperation::separation].done;
+  m.region_collapses = step.topology[TopologyOperation::region_collapse].done;
+  m.incomplete_vertices = step.topology.incomplete_vertices;
+  m.move_seconds = step.move_seconds;
+  m.topology_seconds = step.topology_seconds;
+  m.remesh_seconds = step.remesh_seconds;
+  return m;
+}
+
+std::vector<RegionState> region_states(const SurfaceMesh& mesh) {
+  std::set<std::pair<Region, Region>> pairs;  // both ways round
+  for (lostopos::Triangle t : mesh.triangles()) {
+    const auto [p, q] = mesh.labels(t);
+    pairs.insert({p, q});
+    pairs.insert({q, p});
+  }
+  std::vector<RegionState> states;
+  for (const auto& [region, volume] : lostopos::region_volumes(mesh)) {
+    if (region == lostopos::air) continue;
+    RegionState state{region, volume};
+    for (auto it = pairs.lower_bound({region, Region(0)}); it != pairs.end() && it->first == region; ++it) {
+      if (it->second == lostopos::air)
+        state.touches_air = true;
+      else
+        ++state.faces;
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+}  // namespace multitracker

@@ -1,0 +1,38 @@
+#include "MultiTracker/run/tracking.h"
+
+#include <chrono>
+
+namespace multitracker {
+
+using lostopos::OptionSet;
+using lostopos::SurfaceMesh;
+
+Tracking::Tracking(const SceneEntry& scene, const OptionSet& options, std::optional<SurfaceMesh> surface)
+    : Tracking(scene, options, surface ? std::move(*surface) : scene.surface(options), 0) {}
+
+Tracking::Tracking(const SceneEntry& scene, const OptionSet& options, SurfaceMesh surface, int)
+    : closed_(scene.closed),
+      drive_(scene.drive(options, surface)),
+      tracker_(start_tracker(scene, options, std::move(surface))) {
+  if (closed_) start_volumes_ = lostopos::region_volumes(mesh());
+  metrics_ = measure(mesh(), last_, start_volumes_);
+}
+
+void Tracking::step() {
+  const auto begun = std::chrono::steady_clock::now();
+  const std::span<const char> held = tracker_.held().slots();
+  const auto predicted = drive_.flow->predicted({mesh(), held, metrics_.time, drive_.dt});
+  const double flow_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  last_ = tracker_.step(predicted);
+  const long step = metrics_.step + 1;
+  metrics_ = measure(mesh(), last_, start_volumes_);
+  metrics_.step = step;
+  metrics_.time = static_cast<double>(step) * drive_.dt;
+  metrics_.flow_seconds = flow_seconds;
+}
+
+lostopos::AuditReport Tracking::audit() const {
+  return lostopos::audit(mesh(), {.closed_regions = closed_});
+}
+
+}  // namespace multitracker

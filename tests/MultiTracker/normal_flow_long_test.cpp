@@ -1,0 +1,53 @@
+// Spheres pressed into a foam: every layout, number and seed has to succeed, whatever the step.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "MultiTracker/study/robustness.h"
+
+namespace multitracker {
+namespace {
+
+RobustnessOptions options_of_study() {
+  RobustnessOptions options;
+  options.audit_every_step = true;
+  options.time_limit = 1800;
+  return options;
+}
+
+void expect_all_succeed(const RobustnessOptions& options) {
+  for (const RobustnessRun& run : run_robustness(options))
+    EXPECT_TRUE(run.success) << run.spheres << " spheres, step " << run.step << " L, seed " << run.seed << ": "
+                             << run.message;
+}
+
+class AllSucceed : public testing::TestWithParam<std::tuple<const char*, long>> {};
+
+TEST_P(AllSucceed, ForTenSeeds) {
+  RobustnessOptions options = options_of_study();
+  options.layout = std::get<0>(GetParam());
+  options.spheres = {std::get<1>(GetParam())};
+  options.steps = {0.05};
+  options.total_motion = 3;
+  expect_all_succeed(options);
+}
+
+INSTANTIATE_TEST_SUITE_P(NormalFlow, AllSucceed,
+                         testing::Combine(testing::Values("grid", "random"), testing::Values(8L, 27L, 64L, 125L)));
+
+TEST(NormalFlow, SharesAsMuchAreaWhateverTheStep) {
+  RobustnessOptions options = options_of_study();
+  options.spheres = {8};
+  const auto summaries = summarise(run_robustness(options));
+  ASSERT_EQ(summaries.size(), 4u);
+  for (const RobustnessSummary& s : summaries) {
+    std::cout << "step " << s.step << " L: shared area " << s.shared_area << ", " << s.successes << " of " << s.runs
+              << " succeed, " << s.cpu_seconds << " CPU s\n";
+    EXPECT_EQ(s.successes, s.runs);
+    EXPECT_NEAR(s.shared_area / summaries[0].shared_area, 1, 0.15) << "step " << s.step << " L";
+  }
+}
+
+}  // namespace
+}  // namespace multitracker

@@ -40,6 +40,10 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
   void show(const Metrics& metrics, double fraction);
+  /// `detail`: what is being done now.
+  void show(const std::string& detail, double fraction);
+  /// Takes a bar off the terminal, so that other lines can be written.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

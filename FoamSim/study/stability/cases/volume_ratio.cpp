@@ -1,0 +1,34 @@
+#include "FoamSim/study/stability/cases/cases.h"
+#include "FoamSim/study/stability/motions.h"
+#include "FoamSim/study/stability/shapes/unequal_bubbles.h"
+
+namespace foamsim::stability {
+namespace {
+
+// The smaller bubble's radius is about 0.1; its time scale √(r³/σ) about 0.03.
+constexpr double large_volume = 4.0, ratio = 1000, edge = 0.06, dt = 0.002;
+
+std::vector<CaseRun> runs(const CaseSetup& setup) {
+  auto start = [setup] {
+    return simulated(setup, unequal_double_bubble(large_volume / ratio, large_volume, edge),
+                     {.dt = dt, .resolution = edge});
+  };
+  return {{"", start, scaled_steps(200, setup)}};
+}
+
+Verdict judge(std::span<const Trajectory> t) {
+  return Judgement().require_physics(t[0]).verdict();
+}
+
+}  // namespace
+
+StabilityCase volume_ratio() {
+  return {.name = "volume-ratio",
+          .summary = "a double bubble of volumes 1 : 1,000 at rest, for 200 steps of 0.002",
+          .criterion = "energy, volumes (the small bubble's too) and impulse within the limits of physics",
+          .typical_triangles = 8000,
+          .runs = runs,
+          .judge = judge};
+}
+
+}  // namespace foamsim::stability

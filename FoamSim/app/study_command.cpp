@@ -25,6 +25,7 @@ void add_study_command(CLI::App& app, Program& program) {
   CLI::App* study = app.add_subcommand("study", "measure the method: against theory, its accuracy and its stability");
   study->require_subcommand(1);
   add_study_modes(*study, program);
+  add_study_accuracy(*study, program);
   add_study_stability(*study, program);
 }
 

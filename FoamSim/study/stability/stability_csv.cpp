@@ -1,25 +1,8 @@
 #include "FoamSim/study/stability/stability_csv.h"
 
-#include <algorithm>
-
-#include "LosTopos/io/number_text.h"
+#include "FoamSim/output/csv_cells.h"
 
 namespace foamsim {
-namespace {
-
-std::string plain(std::string text) {
-  std::ranges::replace(text, ',', ';');
-  std::ranges::replace(text, '\n', ' ');
-  return text;
-}
-
-std::string number(double value) {
-  std::string text;
-  lostopos::append_number(text, value);
-  return text;
-}
-
-}  // namespace
 
 std::string stability_csv_header() {
   return "case,area,remeshing,verdict,steps,steps_asked,time,triangles,energy_rise,volume_drift,impulse_drift,"
@@ -27,13 +10,13 @@ std::string stability_csv_header() {
 }
 
 std::string stability_csv_row(const StabilityRow& row) {
-  std::string text = row.name + "," + row.area + "," + (row.remeshing ? "on" : "off") + "," +
-                     (row.verdict.passed ? "pass" : "fail") + "," + std::to_string(row.steps) + "," +
-                     std::to_string(row.steps_asked) + "," + number(row.time) + "," + std::to_string(row.triangles);
-  for (double value : {row.physics.energy_rise, row.physics.volume_drift, row.physics.impulse_drift})
-    text += "," + number(value);
-  text += "," + row.verdict.figure_name + "," + (row.verdict.figure ? number(*row.verdict.figure) : "");
-  return text + "," + number(row.seconds) + "," + plain(row.verdict.reason) + "\n";
+  CsvCells cells;
+  cells.add(row.name).add(row.area).add(std::string(row.remeshing ? "on" : "off"));
+  cells.add(std::string(row.verdict.passed ? "pass" : "fail")).add(row.steps).add(row.steps_asked).add(row.time);
+  cells.add(static_cast<long>(row.triangles));
+  cells.add(row.physics.energy_rise).add(row.physics.volume_drift).add(row.physics.impulse_drift);
+  cells.add(row.verdict.figure_name).add(row.verdict.figure).add(row.seconds);
+  return cells.add(row.verdict.reason).line();
 }
 
 }  // namespace foamsim

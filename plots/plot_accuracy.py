@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 
 COLOURS = {"naive": "tab:red", "constant-edge": "tab:orange", "averaged": "tab:blue"}
-STAGES = ["effects", "velocity", "move", "remesh", "geometry", "metrics"]
+STAGES = ["effects", "velocity", "move", "remesh", "geometry", "rest"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 
 

@@ -7,7 +7,7 @@ namespace foamsim {
 std::string accuracy_csv_header() {
   return "area,n,integrator,dt,ended,steps,time,triangles,resolution,area_error,radius_error,rim_error,wall_error,"
          "pressure_error,angle_rms_deg,angle_rms_film_deg,angle_outer_mean_deg,volume_drift,cpu_seconds,wall_seconds,"
-         "seconds_effects,seconds_velocity,seconds_move,seconds_remesh,seconds_geometry,seconds_metrics,reason";
+         "seconds_effects,seconds_velocity,seconds_move,seconds_remesh,seconds_geometry,seconds_rest,reason";
 }
 
 std::string accuracy_csv_row(const AccuracyRow& row) {
@@ -22,7 +22,7 @@ std::string accuracy_csv_row(const AccuracyRow& row) {
     for (int i = 0; i < 8; ++i) cells.add(std::optional<double>());
   }
   cells.add(row.volume_drift).add(row.cpu_seconds).add(row.wall_seconds);
-  for (const char* stage : {"effects", "velocity", "move", "remesh", "geometry", "metrics"})
+  for (const char* stage : {"effects", "velocity", "move", "remesh", "geometry", "rest"})
     cells.add(row.stages.seconds(stage));
   return cells.add(row.reason).line();
 }

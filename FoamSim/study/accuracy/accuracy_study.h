@@ -38,7 +38,7 @@ struct AccuracyRow {
   double volume_drift = 0;                  ///< largest |V/V0 − 1|
   double cpu_seconds = 0;                   ///< of all threads, without the measuring of errors
   double wall_seconds = 0;
-  StageTimes stages;  ///< wall seconds: effects, velocity, move, remesh, geometry, metrics
+  StageTimes stages;  ///< wall seconds: effects, velocity, move, remesh, geometry, rest (asking whether it is)
 };
 
 struct AccuracyHooks {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "FoamSim/metrics/film_angles.h"
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/sheet/curvature.h"
 #include "FoamSim/sheet/vertex_area/averaged.h"
@@ -113,6 +114,7 @@ EquilibriumErrors equilibrium_errors(const SurfaceMesh& mesh) {
   }
   const JunctionAngles angles = junction_angles(mesh);
   errors.angle_rms_deg = angles.rms_deviation_deg;
+  errors.angle_rms_film_deg = film_angles(mesh).rms_deviation_deg;
   errors.angle_outer_mean_deg = angles.outer_mean_deg;
   return errors;
 }

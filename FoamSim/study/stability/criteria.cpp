@@ -29,13 +29,19 @@ double relative(double a, double b, double size) {
   return difference == 0 ? 0 : difference / size;
 }
 
+// NaN compares false with everything: what is not a number counts as an infinite difference.
+double larger_or_infinite(double largest, double difference) {
+  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::max(largest, difference);
+}
+
 double sample_difference(const Metrics& a, const Metrics& b, double scale, const Vec3& offset) {
   if (a.vertices != b.vertices || a.triangles != b.triangles || a.regions != b.regions ||
       a.volumes.size() != b.volumes.size())
     return std::numeric_limits<double>::infinity();
   const double squared = scale * scale, length = scale * std::sqrt(a.area);
-  double largest = relative(a.area * squared, b.area, b.area);
-  auto take = [&largest](double difference) { largest = std::max(largest, difference); };
+  double largest = 0;
+  auto take = [&largest](double difference) { largest = larger_or_infinite(largest, difference); };
+  take(relative(a.area * squared, b.area, b.area));
   take(relative(a.energy * squared * squared * scale, b.energy, b.energy));
   take((offset + a.centroid * scale - b.centroid).norm() / length);
   if (b.impulse_scale > 0) take((a.impulse * squared * squared - b.impulse).norm() / b.impulse_scale);
@@ -79,6 +85,7 @@ Judgement& Judgement::require_sound(const Trajectory& trajectory) {
   require(physics_figures(trajectory).finite, run + "something is not finite");
   require(trajectory.defect.empty(), run + "audit " + trajectory.defect);
   require(trajectory.error.empty(), run + trajectory.error);
+  require(!trajectory.blown_up, run + "energy blew up after step " + std::to_string(trajectory.steps()));
   require(!trajectory.out_of_time, run + "out of wall time after step " + std::to_string(trajectory.steps()));
   return require(trajectory.complete(), run + "ended after step " + std::to_string(trajectory.steps()));
 }
@@ -105,11 +112,7 @@ double largest_difference(const Trajectory& a, const Trajectory& b, double scale
   if (a.samples.size() != b.samples.size() || a.end_positions.size() != b.end_positions.size())
     return std::numeric_limits<double>::infinity();
   double largest = 0;
-  // NaN compares false with everything: what is not a number counts as an infinite difference.
-  auto take = [&largest](double difference) {
-    if (!(difference <= largest))
-      largest = std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
-  };
+  auto take = [&largest](double difference) { largest = larger_or_infinite(largest, difference); };
   for (std::size_t i = 0; i < a.samples.size(); ++i) take(sample_difference(a.samples[i], b.samples[i], scale, offset));
   if (a.samples.empty()) return largest;
   const double length = scale * std::sqrt(a.samples.front().area);

@@ -1,7 +1,7 @@
 #include "FoamSim/study/stability/record.h"
 
-#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 
 #include "LosTopos/mesh/audit.h"
@@ -38,7 +38,14 @@ class Recorder {
   bool may_go_on() {
     trajectory_.out_of_time = seconds_since(begun_) > options_.most_seconds;
     trajectory_.interrupted = hooks_.interrupted && hooks_.interrupted();
-    return !trajectory_.out_of_time && !trajectory_.interrupted;
+    trajectory_.blown_up = has_blown_up();
+    return !trajectory_.out_of_time && !trajectory_.interrupted && !trajectory_.blown_up;
+  }
+
+  // The steps of such a motion take ever longer, and tell nothing any more.
+  bool has_blown_up() const {
+    const auto& samples = trajectory_.samples;
+    return samples.size() > 1 && std::abs(samples.back().energy) > options_.most_energy * std::abs(samples[1].energy);
   }
 
   bool is_audited(long step) const {

@@ -9,7 +9,7 @@
 namespace foamsim {
 
 struct StabilityOptions {
-  std::vector<std::string> cases;                                        ///< names; empty: all
+  std::vector<std::string> cases{};                                      ///< names; empty: all
   std::vector<std::string> areas{"naive", "constant-edge", "averaged"};  ///< strategies
   std::vector<bool> remeshing{true, false};
   double steps_scale = 1;     ///< multiplies the steps of cases that may be shortened, in (0, 10]

@@ -30,6 +30,7 @@ struct Trajectory {
   std::string error;                          ///< why it could not go on; empty when it could
   std::string defect;                         ///< the first thing that an audit found wrong; empty when all were clean
   bool out_of_time = false;                   ///< stopped by its bound on wall time
+  bool blown_up = false;                      ///< stopped by its bound on energy
   bool interrupted = false;                   ///< stopped by the user
   std::vector<lostopos::Vec3> end_positions;  ///< of the living vertices, in order, L
   double seconds = 0;                         ///< wall time

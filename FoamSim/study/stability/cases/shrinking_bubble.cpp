@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "FoamSim/scenes/shapes/exact_double_bubble.h"
 #include "FoamSim/study/stability/cases/cases.h"
 #include "FoamSim/study/stability/motions.h"
-#include "FoamSim/study/stability/shapes/unequal_bubbles.h"
 
 namespace foamsim::stability {
 
@@ -10,7 +10,8 @@ using lostopos::Vec3;
 
 namespace {
 
-constexpr double small_volume = 0.1, large_volume = 4, edge = 0.12, dt = 0.02;
+constexpr double small_volume = 0.1, large_volume = 4, dt = 0.02;
+constexpr long edges_around_border = 18;
 // The flow −x w towards the middle of the small bubble's rim; w = exp(−(|x|/reach)⁴) leaves the far side where it is.
 constexpr double reach = 1.0;
 constexpr long steps = 300;  // lengths shrink by e⁻⁶
@@ -22,7 +23,10 @@ Vec3 flow(const Vec3& x) {
 
 std::vector<CaseRun> runs(const CaseSetup& setup) {
   // All the steps in any case: a bubble shrunk half way has not vanished.
-  auto start = [setup] { return prescribed(setup, unequal_double_bubble(small_volume, large_volume, edge), dt, flow); };
+  auto start = [setup] {
+    const auto exact = double_bubble_equilibrium(small_volume, large_volume);
+    return prescribed(setup, exact_double_bubble(exact, edges_around_border), dt, flow);
+  };
   return {{"", start, steps}};
 }
 

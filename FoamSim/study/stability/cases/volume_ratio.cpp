@@ -1,19 +1,21 @@
+#include "FoamSim/scenes/shapes/exact_double_bubble.h"
 #include "FoamSim/study/stability/cases/cases.h"
 #include "FoamSim/study/stability/motions.h"
-#include "FoamSim/study/stability/shapes/unequal_bubbles.h"
 
 namespace foamsim::stability {
 namespace {
 
 // The smaller bubble's radius is about 0.1; its time scale √(r³/σ) about 0.03.
-constexpr double large_volume = 4.0, ratio = 1000, edge = 0.06, dt = 0.002;
+constexpr double large_volume = 4, ratio = 1000, dt = 0.002;
+constexpr long edges_around_border = 9;
+
+std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
+  const auto exact = double_bubble_equilibrium(large_volume / ratio, large_volume);
+  return simulated(setup, exact_double_bubble(exact, edges_around_border), {.dt = dt});
+}
 
 std::vector<CaseRun> runs(const CaseSetup& setup) {
-  auto start = [setup] {
-    return simulated(setup, unequal_double_bubble(large_volume / ratio, large_volume, edge),
-                     {.dt = dt, .resolution = edge});
-  };
-  return {{"", start, scaled_steps(200, setup)}};
+  return {{"", [setup] { return start(setup); }, scaled_steps(200, setup)}};
 }
 
 Verdict judge(std::span<const Trajectory> t) {

@@ -11,7 +11,7 @@ namespace foamsim {
 
 struct AccuracyOptions {
   std::vector<std::string> areas{"naive", "constant-edge", "averaged"};  ///< strategies
-  std::vector<long> sizes{12, 16, 24, 32};                               ///< N of the double bubble, 8 to 192
+  std::vector<long> sizes{12, 16, 24};                                   ///< N of the double bubble, 8 to 192
   std::vector<std::string> integrators{"euler", "rk4"};
   std::vector<double> steps_of_time{0.01, 0.02};  ///< dt, T, > 0
   double damping = 0.02;                          ///< d of the damping that brings the bubbles to rest, in (0, 1]

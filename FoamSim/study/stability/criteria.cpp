@@ -56,7 +56,7 @@ double sample_difference(const Metrics& a, const Metrics& b, double scale, const
 
 PhysicsFigures physics_figures(const Trajectory& trajectory) {
   PhysicsFigures figures;
-  double least_energy = std::numeric_limits<double>::infinity(), rise = 0, impulse = 0, scale = 0;
+  double least_energy = std::numeric_limits<double>::infinity(), rise = 0, excess = 0, impulse = 0, scale = 0;
   const auto& samples = trajectory.samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Metrics& m = samples[i];
@@ -65,10 +65,14 @@ PhysicsFigures physics_figures(const Trajectory& trajectory) {
     if (i == 0) continue;
     least_energy = std::min(least_energy, m.energy);
     rise = std::max(rise, m.energy - least_energy);
+    excess = std::max(excess, m.energy - samples[1].energy);
     impulse = std::max(impulse, (m.impulse - samples[1].impulse).norm());
     scale = std::max(scale, m.impulse_scale);
   }
-  if (samples.size() > 1 && samples[1].energy != 0) figures.energy_rise = rise / std::abs(samples[1].energy);
+  if (samples.size() > 1 && samples[1].energy != 0) {
+    figures.energy_rise = rise / std::abs(samples[1].energy);
+    figures.energy_excess = excess / std::abs(samples[1].energy);
+  }
   if (scale > 0) figures.impulse_drift = impulse / scale;
   return figures;
 }
@@ -100,6 +104,16 @@ Judgement& Judgement::require_physics(const Trajectory& trajectory, const Physic
           run + percent("volume drifts by", figures.volume_drift, limits.volume_drift));
   return require(figures.impulse_drift <= limits.impulse_drift,
                  run + percent("impulse drifts by", figures.impulse_drift, limits.impulse_drift));
+}
+
+Judgement& Judgement::require_stable(const Trajectory& trajectory, const PhysicsLimits& limits) {
+  const PhysicsFigures figures = physics_figures(trajectory);
+  const std::string run = trajectory.label.empty() ? "" : trajectory.label + ": ";
+  require_sound(trajectory);
+  require(figures.energy_excess <= limits.energy_rise,
+          run + percent("energy is above the start's by", figures.energy_excess, limits.energy_rise));
+  return require(figures.volume_drift <= limits.volume_drift,
+                 run + percent("volume drifts by", figures.volume_drift, limits.volume_drift));
 }
 
 Judgement& Judgement::set_figure(std::string name, std::optional<double> value) {

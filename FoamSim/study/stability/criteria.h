@@ -17,7 +17,8 @@ struct PhysicsLimits {
 /// How far a trajectory went from what physics allows.
 struct PhysicsFigures {
   double energy_rise = 0, volume_drift = 0, impulse_drift = 0;
-  bool finite = true;  ///< energy, area, impulse, centroid and volumes at every step
+  double energy_excess = 0;  ///< of the largest energy over that of the first step, relative to it; ≥ 0
+  bool finite = true;        ///< energy, area, impulse, centroid and volumes at every step
 };
 
 /// Energies are taken from the first step on: the start's sample knows no kinetic energy.
@@ -39,6 +40,9 @@ class Judgement {
   Judgement& require_sound(const Trajectory& trajectory);
   /// Sound, and within the limits of physics.
   Judgement& require_physics(const Trajectory& trajectory, const PhysicsLimits& limits = {});
+  /// Sound, and neither energy above that of the first step by more than `limits.energy_rise` of it, nor volumes lost:
+  /// what an unstable step breaks first, while a strategy's own error of energy, the same at every dt, does not.
+  Judgement& require_stable(const Trajectory& trajectory, const PhysicsLimits& limits = {});
   Judgement& set_figure(std::string name, std::optional<double> value);
   Verdict verdict() const { return verdict_; }
 

@@ -51,6 +51,11 @@ TEST(PhysicsLimits, RiseIsMeasuredFromTheLeastEnergySoFar) {
   t.samples[3].energy = 14;
   t.samples[4].energy = 13;
   EXPECT_DOUBLE_EQ(physics_figures(t).energy_rise, 2.0 / 16);
+  EXPECT_EQ(physics_figures(t).energy_excess, 0);
+  EXPECT_TRUE(Judgement().require_stable(t).verdict().passed);
+  t.samples[4].energy = 17;
+  EXPECT_DOUBLE_EQ(physics_figures(t).energy_excess, 1.0 / 16);
+  EXPECT_FALSE(Judgement().require_stable(t).verdict().passed);
 }
 
 TEST(PhysicsLimits, OfAMotionThatStartsWithImpulse) {

@@ -41,6 +41,13 @@ void print(const StabilityRow& row) {
 }
 
 int list_cases() {
+  const PhysicsLimits limits;
+  std::printf(
+      "limits of physics, where nothing is put in: energy rises above its least so far by at most %g%% of the "
+      "start's,\n"
+      "volumes drift by at most %g%%, the impulse by %g%% of the largest sum of its parts' sizes; audits are "
+      "clean.\n\n",
+      100 * limits.energy_rise, 100 * limits.volume_drift, 100 * limits.impulse_drift);
   for (const StabilityCase& c : stability_cases())
     std::printf("%-17s %s\n%-17s holds: %s\n", std::string(c.name).c_str(), std::string(c.summary).c_str(), "",
                 std::string(c.criterion).c_str());

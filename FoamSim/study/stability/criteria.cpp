@@ -122,6 +122,10 @@ Judgement& Judgement::set_figure(std::string name, std::optional<double> value) 
   return *this;
 }
 
+Verdict within_physics(std::span<const Trajectory> trajectories) {
+  return Judgement().require_physics(trajectories.front()).verdict();
+}
+
 double largest_difference(const Trajectory& a, const Trajectory& b, double scale, const Vec3& offset) {
   if (a.samples.size() != b.samples.size() || a.end_positions.size() != b.end_positions.size())
     return std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "FoamSim/study/stability/trajectory.h"
@@ -49,6 +50,9 @@ class Judgement {
  private:
   Verdict verdict_{.passed = true, .reason = "", .figure_name = "", .figure = {}};
 };
+
+/// The first trajectory within the usual limits of physics: the whole criterion of many cases.
+Verdict within_physics(std::span<const Trajectory> trajectories);
 
 /// Largest relative difference of two trajectories of the same case: of every step's measures and of the vertices at
 /// the end. `b` is the motion `a` with lengths multiplied by `scale` and then moved by `offset` (L). Measures with a

@@ -112,4 +112,9 @@ long scaled_steps(long steps, const CaseSetup& setup) {
   return std::max(10L, std::lround(static_cast<double>(steps) * setup.steps_scale));
 }
 
+std::vector<CaseRun> one_run(const CaseSetup& setup, std::unique_ptr<CaseMotion> (*start)(const CaseSetup&),
+                             long steps) {
+  return {{"", [setup, start] { return start(setup); }, scaled_steps(steps, setup)}};
+}
+
 }  // namespace foamsim

@@ -24,4 +24,8 @@ std::unique_ptr<CaseMotion> prescribed(const CaseSetup& setup, lostopos::Surface
 /// `steps` times the setup's scale, at least 10.
 long scaled_steps(long steps, const CaseSetup& setup);
 
+/// The runs of a case that has one: `start` under the setup, for scaled_steps(steps).
+std::vector<CaseRun> one_run(const CaseSetup& setup, std::unique_ptr<CaseMotion> (*start)(const CaseSetup&),
+                             long steps);
+
 }  // namespace foamsim

@@ -16,14 +16,6 @@ std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
   return simulated(setup, std::move(mesh), {.resolution = resolution});
 }
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
-  return {{"", [setup] { return start(setup); }, scaled_steps(1000, setup)}};
-}
-
-Verdict judge(std::span<const Trajectory> t) {
-  return Judgement().require_physics(t[0]).verdict();
-}
-
 }  // namespace
 
 StabilityCase border_slivers() {
@@ -31,8 +23,8 @@ StabilityCase border_slivers() {
           .summary = "double bubble (N = 16) with slivers 0.02 h high at every second border edge, 1,000 steps",
           .criterion = "energy, volumes and impulse within the limits of physics",
           .typical_triangles = 1000,
-          .runs = runs,
-          .judge = judge};
+          .runs = [](const CaseSetup& setup) { return one_run(setup, start, 1000); },
+          .judge = within_physics};
 }
 
 }  // namespace foamsim::stability

@@ -15,14 +15,6 @@ std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
   return simulated(setup, std::move(cluster.mesh), {.dt = 0.005});
 }
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
-  return {{"", [setup] { return start(setup); }, scaled_steps(1000, setup)}};
-}
-
-Verdict judge(std::span<const Trajectory> t) {
-  return Judgement().require_physics(t[0]).verdict();
-}
-
 }  // namespace
 
 StabilityCase displaced_quad_point() {
@@ -31,8 +23,8 @@ StabilityCase displaced_quad_point() {
               "four bubbles whose Plateau vertex is displaced by 70% of its edge along a border, 1,000 steps of 0.005",
           .criterion = "energy, volumes and impulse within the limits of physics",
           .typical_triangles = 700,
-          .runs = runs,
-          .judge = judge};
+          .runs = [](const CaseSetup& setup) { return one_run(setup, start, 1000); },
+          .judge = within_physics};
 }
 
 }  // namespace foamsim::stability

@@ -14,14 +14,6 @@ std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
   return simulated(setup, exact_double_bubble(exact, edges_around_border), {.dt = dt});
 }
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
-  return {{"", [setup] { return start(setup); }, scaled_steps(200, setup)}};
-}
-
-Verdict judge(std::span<const Trajectory> t) {
-  return Judgement().require_physics(t[0]).verdict();
-}
-
 }  // namespace
 
 StabilityCase volume_ratio() {
@@ -29,8 +21,8 @@ StabilityCase volume_ratio() {
           .summary = "a double bubble of volumes 1 : 1,000 at rest, for 200 steps of 0.002",
           .criterion = "energy, volumes (the small bubble's too) and impulse within the limits of physics",
           .typical_triangles = 8000,
-          .runs = runs,
-          .judge = judge};
+          .runs = [](const CaseSetup& setup) { return one_run(setup, start, 200); },
+          .judge = within_physics};
 }
 
 }  // namespace foamsim::stability

@@ -10,7 +10,7 @@ struct RecordOptions {
   long steps = 100;            ///< ≥ 1
   long audits = 10;            ///< whole-mesh audits, evenly spaced, the last one at the end; ≥ 1
   double most_seconds = 300;   ///< wall time after which the motion is stopped, asked after every step
-  double most_energy = 10;     ///< times that of the first step: the motion has blown up and is stopped
+  double most_energy = 2;      ///< times that of the first step: the motion has blown up and is stopped
   bool closed_surface = true;  ///< audits ask every region's boundary to be closed
 };
 

@@ -12,6 +12,8 @@ packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev
   # plots
   python3-matplotlib
+  # Surface Evolver (3 MB), whose equilibria are drawn beside ours
+  evolver-nox
   # style
   clang-format clang-tidy
 )

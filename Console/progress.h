@@ -14,6 +14,10 @@ class Progress {
   ~Progress();
   /// `fraction`: of the whole that is done.
   void show(long step, double time, double fraction);
+  /// `detail`: what is being done now.
+  void show(const std::string& detail, double fraction);
+  /// Takes a bar off the terminal, so that other lines can be written.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

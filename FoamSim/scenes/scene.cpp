@@ -15,6 +15,7 @@
 
 namespace foamsim {
 
+using lostopos::Edge;
 using lostopos::InputError;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;
@@ -27,6 +28,15 @@ std::vector<OptionSpec> general_option_specs() {
       whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
       {"amplitude", 0.02, "sphere: the mode's amplitude over the radius", "a number between -1 and 1",
        [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
+      positive_number("gap", 0.1, "twobubbles: distance between the two at the start, L"),
+      {"speed", 0.5, "twobubbles: of each towards the other at the start, L/T; 0: at rest", "a finite number"},
+      whole_number("spheres", 8, 1, "foaminit: number of spheres"),
+      {"layout", std::string("grid"), "foaminit: grid (jittered) or random", "grid or random",
+       [](const OptionValue& value) {
+         return std::get<std::string>(value) == "grid" || std::get<std::string>(value) == "random";
+       }},
+      {"displacement", 0.2, "triplejunction, quadjunction: of the junction at the start, L",
+       "a number between -1 and 1", [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
       positive_number("dt", 0.01, "length of a step, T"),
       non_negative_number("time", 4, "simulated time, T"),
       non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
@@ -65,6 +75,39 @@ std::vector<OptionSpec> tracker_option_specs() {
   };
 }
 
+// How films join, part and vanish (METHOD "Remeshing and topology").
+std::vector<OptionSpec> topology_option_specs() {
+  const lostopos::TopologyOptions d;
+  return {
+      flag("topology.enabled", true, "films may join, part and vanish"),
+      flag("topology.snap", d.snap, "join films that come close"),
+      flag("topology.separate", d.separate, "T1: part bubbles that meet without a common film"),
+      flag("topology.collapse_regions", d.collapse_regions, "let bubbles that are too small vanish"),
+      positive_number("topology.merge_distance", d.merge_distance, "films nearer than this are joined, in resolutions"),
+      positive_number("topology.pull_apart", d.pull_apart, "distance that a separation opens, in resolutions"),
+      non_negative_number("topology.smallest_region", d.smallest_region,
+                          "a bubble that fits into a box with this diagonal vanishes, in resolutions"),
+      positive_number("topology.longest_motion", d.longest_motion,
+                      "a longer motion is done in parts, with the topology looked at after each, in resolutions"),
+      whole_number("topology.max_sweeps", d.max_sweeps, 1,
+                   "how often a pass looks again at what its own operations have made"),
+  };
+}
+
+lostopos::TopologyOptions topology_options(const OptionSet& options) {
+  lostopos::TopologyOptions topology;
+  topology.enabled = options.flag("topology.enabled");
+  topology.snap = options.flag("topology.snap");
+  topology.separate = options.flag("topology.separate");
+  topology.collapse_regions = options.flag("topology.collapse_regions");
+  topology.merge_distance = options.number("topology.merge_distance");
+  topology.pull_apart = options.number("topology.pull_apart");
+  topology.smallest_region = options.number("topology.smallest_region");
+  topology.longest_motion = options.number("topology.longest_motion");
+  topology.max_sweeps = static_cast<int>(options.whole("topology.max_sweeps"));
+  return topology;
+}
+
 lostopos::TrackerOptions tracker_options(const OptionSet& options) {
   lostopos::TrackerOptions tracker;
   tracker.collisions = options.flag("tracker.collisions");
@@ -80,6 +123,7 @@ lostopos::TrackerOptions tracker_options(const OptionSet& options) {
   tracker.remesh.max_volume_change = options.number("remeshing.max_volume_change");
   tracker.remesh.smoothing = options.flag("remeshing.smoothing");
   tracker.remesh.use_butterfly = options.flag("remeshing.butterfly");
+  tracker.topology = topology_options(options);
   return tracker;
 }
 
@@ -89,12 +133,38 @@ void require_known_names(const OptionSet& options) {
   integrator_by_name(options.word("integrator"));
 }
 
-// `circulation` (may be null) receives what a file of the reference program holds besides the surface.
-SurfaceMesh start_surface(const Scene& scene, lostopos::PairValues* circulation) {
-  if (scene.mesh_file.empty()) return scene_by_name(scene.name).build(scene.options);
+// With what a file of the reference program holds besides the surface.
+struct StartSurface {
+  SurfaceMesh mesh;
+  lostopos::PairValues circulation = {};
+  std::vector<Vertex> held = {};
+};
+
+void hold_free_edges(StartSurface& start) {
+  for (Edge e : start.mesh.edges())
+    if (start.mesh.triangles(e).size() == 1)
+      start.held.insert(start.held.end(), start.mesh.vertices(e).begin(), start.mesh.vertices(e).end());
+}
+
+StartSurface start_surface(const Scene& scene) {
+  if (scene.mesh_file.empty()) return {scene_by_name(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
-  if (circulation != nullptr) *circulation = std::move(data.circulation);
-  return lostopos::to_mesh(data);
+  StartSurface start{lostopos::to_mesh(data), std::move(data.circulation)};
+  for (const lostopos::HeldVertex& held : data.held) {
+    start.held.emplace_back(held.vertex);
+    start.mesh.set_position(Vertex(held.vertex), held.position);
+  }
+  return start;
+}
+
+void set_start_motion(const Scene& scene, const lostopos::PairValues& given, Simulation& simulation) {
+  if (scene.mesh_file.empty()) {
+    if (const auto set_motion = scene_by_name(scene.name).set_motion) set_motion(scene.options, simulation);
+    return;
+  }
+  for (std::size_t v = 0; v + 1 < given.offsets.size(); ++v)
+    for (const auto& [p, q, value] : given.at(v)) simulation.circulation().set(Vertex(v), {p, q}, value);
+  simulation.circulation().match(simulation.mesh());
 }
 
 }  // namespace
@@ -102,6 +172,7 @@ SurfaceMesh start_surface(const Scene& scene, lostopos::PairValues* circulation)
 std::vector<OptionSpec> scene_option_specs() {
   std::vector<OptionSpec> specs = general_option_specs();
   for (OptionSpec& spec : tracker_option_specs()) specs.push_back(std::move(spec));
+  for (OptionSpec& spec : topology_option_specs()) specs.push_back(std::move(spec));
   for (const EffectEntry& effect : effect_entries())
     specs.insert(specs.end(), effect.options.begin(), effect.options.end());
   return specs;
@@ -136,7 +207,7 @@ void validate(const Scene& scene) {
 }
 
 SurfaceMesh build_surface(const Scene& scene) {
-  return start_surface(scene, nullptr);
+  return start_surface(scene).mesh;
 }
 
 SimulationOptions simulation_options(const OptionSet& options) {
@@ -147,22 +218,20 @@ SimulationOptions simulation_options(const OptionSet& options) {
           .tracker = tracker_options(options)};
 }
 
-Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution) {
+Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution, std::span<const Vertex> held) {
   validate(scene);
   SimulationOptions options = simulation_options(scene.options);
   options.resolution = resolution;
-  return {std::move(surface), options, make_effects(scene.options.words("effects"), {scene.options, resolution})};
+  return {std::move(surface), options, make_effects(scene.options.words("effects"), {scene.options, resolution}), held};
 }
 
 Simulation make_simulation(const Scene& scene) {
   validate(scene);
-  lostopos::PairValues circulation;
-  SurfaceMesh surface = start_surface(scene, &circulation);
-  const double resolution = resolved_resolution(simulation_options(scene.options), surface);
-  Simulation simulation = make_simulation(scene, std::move(surface), resolution);
-  for (std::size_t v = 0; v + 1 < circulation.offsets.size(); ++v)
-    for (const auto& [p, q, value] : circulation.at(v)) simulation.circulation().set(Vertex(v), {p, q}, value);
-  simulation.circulation().match(simulation.mesh());
+  StartSurface start = start_surface(scene);
+  hold_free_edges(start);
+  const double resolution = resolved_resolution(simulation_options(scene.options), start.mesh);
+  Simulation simulation = make_simulation(scene, std::move(start.mesh), resolution, start.held);
+  set_start_motion(scene, start.circulation, simulation);
   return simulation;
 }
 

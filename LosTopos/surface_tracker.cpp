@@ -8,6 +8,7 @@
 #include "LosTopos/error.h"
 #include "LosTopos/remeshing/limits.h"
 #include "LosTopos/remeshing/remesher.h"
+#include "LosTopos/topology/topology_pass.h"
 
 namespace lostopos {
 namespace {
@@ -113,7 +114,22 @@ TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted) {
 }
 
 TopologyStatistics SurfaceTracker::change_topology() {
-  return {};
+  TopologyStatistics statistics;
+  const TopologyOptions& options = options_.topology;
+  if (!options.enabled) return statistics;
+  statistics.seconds = seconds_of([&] {
+    RemeshContext context(mesh_, held_, options_.remesh, observers_);
+    TopologyPass pass(
+        context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
+    if (options.collapse_regions) pass.collapse_small_regions();
+    if (options.snap) {
+      pass.merge_short_edges();
+      pass.snap_near_places();
+    }
+    if (options.separate) pass.separate_vertices();
+    pass.count_what_is_left();
+  });
+  return statistics;
 }
 
 RemeshStatistics SurfaceTracker::remesh() {

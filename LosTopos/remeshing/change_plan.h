@@ -7,8 +7,10 @@
 
 namespace lostopos {
 
-/// Stands for the vertex that a split will add, until it is there.
+/// Stands for the vertex that an operation will add, until it is there.
 inline constexpr Vertex planned_vertex{Vertex::invalid_index - 1};
+/// Stands for a second point that moves together with it and never becomes a vertex.
+inline constexpr Vertex second_planned_vertex{Vertex::invalid_index - 2};
 
 using Corners = std::array<Vec3, 3>;
 

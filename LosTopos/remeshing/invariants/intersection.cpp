@@ -60,7 +60,8 @@ void IntersectionGuard::gather(const Box& box, const LeftOut& left_out) {
   triangles_.clear();
   for (Triangle t : found_) {
     const auto& of_triangle = mesh_.vertices(t);
-    const bool gone = left_out.edge.valid() && std::ranges::find(mesh_.edges(t), left_out.edge) != mesh_.edges(t).end();
+    const bool gone = std::ranges::find(left_out.triangles, t) != left_out.triangles.end() ||
+                      std::ranges::any_of(mesh_.edges(t), [&](Edge e) { return left_out.has(e); });
     if (!gone && !shares_a_vertex(left_out.vertices, of_triangle))
       triangles_.push_back({t, triangle_box(mesh_, t, mesh_.positions(), 0)});
     vertex_handles_.insert(vertex_handles_.end(), of_triangle.begin(), of_triangle.end());
@@ -75,7 +76,7 @@ void IntersectionGuard::gather(const Box& box, const LeftOut& left_out) {
   edges_.clear();
   for (Edge e : edge_handles_) {
     const auto& ends = mesh_.vertices(e);
-    if (e == left_out.edge || shares_a_vertex(left_out.vertices, ends)) continue;
+    if (left_out.has(e) || shares_a_vertex(left_out.vertices, ends)) continue;
     const Vec3 &a = mesh_.position(ends[0]), &b = mesh_.position(ends[1]);
     const Box edge_box{a.cwiseMin(b), a.cwiseMax(b)};
     if (edge_box.overlaps(box)) edges_.push_back({e, ends, edge_box});

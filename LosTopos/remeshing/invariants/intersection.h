@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,11 +16,13 @@ class IntersectionGuard {
  public:
   IntersectionGuard(const SurfaceMesh& mesh, SurfaceIndex& index) : mesh_(mesh), index_(index) {}
 
-  /// What is not there during a motion, or takes part in it: all elements at these vertices, and an edge with all its
-  /// triangles.
+  /// What is not there during a motion, or takes part in it: all elements at these vertices, up to two edges with all
+  /// their triangles, and up to two triangles.
   struct LeftOut {
     std::span<const Vertex> vertices;
-    Edge edge;
+    Edge edge = {}, second_edge = {};
+    std::array<Triangle, 2> triangles = {};
+    bool has(Edge e) const { return e == edge || e == second_edge; }
   };
   /// Continuous collision detection of the moving star against everything else near it that stands still, elements
   /// that share a vertex excepted. Every two triangles that meet without having a vertex in common, or that have one or

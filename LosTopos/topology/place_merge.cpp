@@ -1,0 +1,169 @@
+#include "LosTopos/topology/place_merge.h"
+
+#include <algorithm>
+
+#include "LosTopos/remeshing/invariants/shape.h"
+#include "LosTopos/topology/coincident_triangles.h"
+
+namespace lostopos {
+namespace {
+
+template <class Range, class T>
+bool contains(const Range& range, const T& value) {
+  return std::ranges::find(range, value) != std::ranges::end(range);
+}
+
+bool are_joined(const SurfaceMesh& mesh, const std::array<Site, 2>& sites) {
+  return sites[0].vertex.valid() && sites[1].vertex.valid() && mesh.find_edge(sites[0].vertex, sites[1].vertex).valid();
+}
+
+void collect_vertices(const SurfaceMesh& mesh, const SurfaceMesh::TriangleList& triangles,
+                      std::vector<Vertex>& vertices) {
+  vertices.clear();
+  for (Triangle t : triangles) vertices.insert(vertices.end(), mesh.vertices(t).begin(), mesh.vertices(t).end());
+  std::ranges::sort(vertices);
+  const auto repeated = std::ranges::unique(vertices);
+  vertices.erase(repeated.begin(), repeated.end());
+}
+
+bool have_common(const std::vector<Vertex>& a, const std::vector<Vertex>& b) {
+  return std::ranges::any_of(a, [&](Vertex v) { return std::ranges::binary_search(b, v); });
+}
+
+}  // namespace
+
+// The place that is bound more stays where it is; equals meet in the middle.
+std::optional<Refusal> PlaceMerge::choose_position() {
+  const std::array<bool, 2> held = {is_held(c_.held, sites_[0]), is_held(c_.held, sites_[1])};
+  if (held[0] && held[1]) return Refusal::held;
+  // The middle of a held wire or solid must not get a vertex that belongs to a film only.
+  for (std::size_t i = 0; i < 2; ++i)
+    if (held[i] && !sites_[i].vertex.valid()) return Refusal::held;
+  const VertexRank rank0 = rank(c_.mesh, sites_[0]), rank1 = rank(c_.mesh, sites_[1]);
+  t_ = 0.5;
+  if (held[0] || (!held[1] && rank0 > rank1)) t_ = 0;
+  if (held[1] || (!held[0] && rank1 > rank0)) t_ = 1;
+  position_ = (1 - t_) * sites_[0].point + t_ * sites_[1].point;
+  if (t_ == 0) position_ = sites_[0].point;
+  if (t_ == 1) position_ = sites_[1].point;
+  const Vertex a = sites_[0].vertex, b = sites_[1].vertex;
+  if (a.valid() && b.valid())
+    kept_ = held[0] || (!held[1] && a < b) ? a : b;
+  else
+    kept_ = a.valid() ? a : b.valid() ? b : planned_vertex;
+  return {};
+}
+
+std::optional<Refusal> PlaceMerge::require_apart(const Rules& rules) const {
+  if (std::ranges::any_of(sites_[0].vertices(), [this](Vertex v) { return sites_[1].uses(v); }))
+    return Refusal::link_condition;
+  if (are_joined(c_.mesh, sites_)) {
+    if (!rules.joined_vertices) return Refusal::link_condition;
+    return {};
+  }
+  if (std::ranges::any_of(stars_[0], [this](Triangle t) { return contains(stars_[1], t); }))
+    return Refusal::link_condition;
+  if (rules.min_transversality <= 0) return {};
+  std::vector<Vertex> near0, near1;
+  collect_vertices(c_.mesh, stars_[0], near0);
+  collect_vertices(c_.mesh, stars_[1], near1);
+  if (!have_common(near0, near1)) return {};
+  const Vec3 direction = (sites_[1].point - sites_[0].point).normalized();
+  for (const Site& site : sites_)
+    if (transversality(c_.mesh, site, direction) < rules.min_transversality) return Refusal::not_better;
+  return {};
+}
+
+void PlaceMerge::plan_star(const Site& site) {
+  const SurfaceMesh& mesh = c_.mesh;
+  for (Triangle t : triangles_at(mesh, site)) {
+    if (contains(c_.plan.replaced, t)) continue;  // at both places: its triangle collapses
+    c_.plan.replaced.push_back(t);
+    const auto& corners = mesh.vertices(t);
+    const bool at_both = sites_[0].vertex.valid() && sites_[1].vertex.valid() && contains(corners, sites_[0].vertex) &&
+                         contains(corners, sites_[1].vertex);
+    if (at_both) continue;
+    for (Vertex v : site.vertices()) c_.plan.add_moved(mesh, t, v, kept_, position_);
+  }
+}
+
+void PlaceMerge::plan_motion() {
+  c_.motion.clear();
+  const std::array<Vertex, 2> names = {sites_[0].vertex.valid() ? sites_[0].vertex : planned_vertex,
+                                       sites_[1].vertex.valid() ? sites_[1].vertex : second_planned_vertex};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (sites_[k].point == position_ && sites_[k].vertex.valid()) continue;
+    const MovingPoint mover = {names[k], {sites_[k].point, position_}, true};
+    for (Triangle t : stars_[k]) {
+      for (Vertex replaced : sites_[k].vertices()) {
+        StarMotion::Points points;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vertex v = c_.mesh.vertices(t)[i];
+          const Vec3& x = c_.mesh.position(v);
+          points[i] = {v, {x, x}, false};
+          if (v == replaced) points[i] = mover;
+          if (v == names[1 - k]) points[i] = {v, {x, position_}, x != position_};
+        }
+        c_.motion.add(points);
+      }
+    }
+  }
+}
+
+std::optional<Refusal> PlaceMerge::check(const Rules& rules) {
+  for (std::size_t k = 0; k < 2; ++k) stars_[k] = triangles_at(c_.mesh, sites_[k]);
+  if (const auto refusal = require_apart(rules)) return refusal;
+  if (const auto refusal = choose_position()) return refusal;
+  c_.plan.clear();
+  for (const Site& site : sites_) plan_star(site);
+  const auto cancelled = cancel_coincident(c_.plan);
+  if (!cancelled) return Refusal::labels;
+  cancelled_ = *cancelled;
+  c_.plan.measure(c_.mesh);
+  if (rules.keeps_orientation) {
+    if (!keeps_orientation(c_.plan, c_.limits)) return Refusal::inverted_normal;
+    if (!keeps_min_angle(c_.plan, c_.limits)) return Refusal::small_angle;
+  }
+  plan_motion();
+  boost::container::small_vector<Vertex, 2> ends;
+  for (const Site& site : sites_)
+    if (site.vertex.valid()) ends.push_back(site.vertex);
+  const IntersectionGuard::LeftOut left_out = {
+      {ends.data(), ends.size()}, sites_[0].edge, sites_[1].edge, {sites_[0].triangle, sites_[1].triangle}};
+  if (!c_.guard.is_free(c_.motion, left_out)) return Refusal::intersection;
+  return {};
+}
+
+void PlaceMerge::carry_out() {
+  touched_.clear();
+  for (Triangle t : c_.plan.replaced)
+    touched_.insert(touched_.end(), c_.mesh.vertices(t).begin(), c_.mesh.vertices(t).end());
+  const bool is_new = kept_ == planned_vertex;
+  MergeEvent event{{sites_[0].place, sites_[1].place}, t_, is_new ? Vertex() : kept_, position_, {}, {}};
+  c_.notify(&OperationObserver::before_merge, event);
+  if (is_new)
+    result_ = c_.mesh.add_vertex(position_);
+  else
+    c_.mesh.set_position(result_ = kept_, position_);
+  event.result = result_;
+  event.triangles = c_.carry_out(result_);
+  touched_.push_back(result_);
+  std::ranges::sort(touched_);
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  removed_.clear();
+  for (Vertex v : touched_)
+    if (c_.mesh.triangles(v).empty()) removed_.push_back(v);
+  for (Vertex v : removed_) c_.mesh.remove_vertex(v);
+  event.removed = removed_;
+  c_.notify(&OperationObserver::after_merge, event);
+  if (contains(removed_, result_)) result_ = Vertex();
+}
+
+std::optional<Refusal> PlaceMerge::attempt(const Site& a, const Site& b, const Rules& rules) {
+  sites_ = {a, b};
+  if (const auto refusal = check(rules)) return refusal;
+  carry_out();
+  return {};
+}
+
+}  // namespace lostopos

@@ -1,0 +1,260 @@
+#include "LosTopos/topology/topology_pass.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "LosTopos/mesh/measures.h"
+
+namespace lostopos {
+namespace {
+
+// Places nearer to a vertex than this share of h̄ are moved to it before they are joined.
+constexpr double snap_reach = 0.25;
+// Edges shorter than this share of the merge distance are merged. It leaves the edges alone that separations open.
+constexpr double edge_merge_share = 0.5;
+// Where two stars have a vertex in common, only films that lie over each other are snapped, not neighbours in a film:
+// the line between the two places has to be within 37° of both normals.
+constexpr double min_transversality = 0.8;
+
+/// Adds the wall time of its life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+template <class T>
+void sort_unique(std::vector<T>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+bool are_alive(const SurfaceMesh& mesh, const ElementPair& pair) {
+  if (pair.kind == ElementPair::Kind::vertex_triangle) {
+    const Vertex v(pair.first);
+    const Triangle t(pair.second);
+    if (!mesh.alive(v) || !mesh.alive(t)) return false;
+    const auto& corners = mesh.vertices(t);
+    return corners[0] == pair.vertices[1] && corners[1] == pair.vertices[2] && corners[2] == pair.vertices[3];
+  }
+  const Edge e(pair.first), f(pair.second);
+  if (!mesh.alive(e) || !mesh.alive(f)) return false;
+  return mesh.vertices(e) == std::array{pair.vertices[0], pair.vertices[1]} &&
+         mesh.vertices(f) == std::array{pair.vertices[2], pair.vertices[3]};
+}
+
+std::array<Site, 2> sites_of(const SurfaceMesh& mesh, const NearPair& near) {
+  const auto& w = near.weights;
+  if (near.pair.kind == ElementPair::Kind::vertex_triangle)
+    return {site_at(mesh, Vertex(near.pair.first)), site_in(mesh, Triangle(near.pair.second), {w[1], w[2], w[3]})};
+  return {site_on(mesh, Edge(near.pair.first), w[1]), site_on(mesh, Edge(near.pair.second), w[3])};
+}
+
+/// The triangles on the boundary of each region, regions ascending.
+std::map<Region, std::vector<Triangle>> boundaries(const SurfaceMesh& mesh) {
+  std::map<Region, std::vector<Triangle>> result;
+  for (Triangle t : mesh.triangles()) {
+    result[mesh.labels(t).p].push_back(t);
+    result[mesh.labels(t).q].push_back(t);
+  }
+  return result;
+}
+
+}  // namespace
+
+TopologyPass::TopologyPass(RemeshContext& context, const TopologyOptions& options, VertexSeparation::Flow flow,
+                           TopologyStatistics& statistics)
+    : c_(context),
+      options_(options),
+      statistics_(statistics),
+      merge_(context),
+      separation_(context, options.separation, options.pull_apart * context.options.target_edge, std::move(flow)),
+      merge_distance_(options.merge_distance * context.options.target_edge) {}
+
+void TopologyPass::note(TopologyOperation kind, std::vector<Region> regions, const Vec3& position) {
+  statistics_.events.push_back({kind, std::move(regions), position});
+}
+
+std::vector<Region> TopologyPass::regions_at(const Site& a, const Site& b) const {
+  std::vector<Region> regions;
+  for (const Site* site : {&a, &b})
+    for (Triangle t : triangles_at(c_.mesh, *site)) {
+      regions.push_back(c_.mesh.labels(t).p);
+      regions.push_back(c_.mesh.labels(t).q);
+    }
+  sort_unique(regions);
+  return regions;
+}
+
+// Snaps at vertices of the two elements where they are near, or else at the nearest points themselves.
+std::optional<Refusal> TopologyPass::snap(const NearPair& near) {
+  const PlaceMerge::Rules rules{.min_transversality = min_transversality};
+  const auto [a, b] = sites_of(c_.mesh, near);
+  const double reach = snap_reach * c_.options.target_edge;
+  const Site at_a = settled(c_.mesh, a, reach), at_b = settled(c_.mesh, b, reach);
+  std::vector<Region> regions = regions_at(at_a, at_b);
+  std::optional<Refusal> refusal = merge_.attempt(at_a, at_b, rules);
+  const bool moved = at_a.point != a.point || at_b.point != b.point;
+  if (refusal && moved) refusal = merge_.attempt(a, b, rules);
+  if (refusal) return refusal;
+  statistics_.cancelled_triangles += merge_.cancelled();
+  note(TopologyOperation::snap, std::move(regions), merge_.position());
+  return {};
+}
+
+void TopologyPass::list_result_star(std::vector<Triangle>& list) const {
+  if (!merge_.result().valid()) return;
+  const auto star = c_.mesh.triangles(merge_.result());
+  list.insert(list.end(), star.begin(), star.end());
+}
+
+void TopologyPass::snap_near_places() {
+  OperationCounts& counts = statistics_[TopologyOperation::snap];
+  const Stopwatch watch(counts.seconds);
+  std::vector<NearPair> pairs = near_pairs(c_.mesh, merge_distance_);
+  for (int sweep = 0; sweep < options_.max_sweeps && !pairs.empty(); ++sweep) {
+    std::vector<Triangle> changed;
+    for (const NearPair& listed : pairs) {
+      if (!are_alive(c_.mesh, listed.pair)) continue;
+      const NearPair near = measured(c_.mesh, listed.pair);
+      if (!(near.distance < merge_distance_)) continue;
+      const auto refusal = snap(near);
+      counts.count(refusal);
+      if (!refusal) list_result_star(changed);
+    }
+    std::erase_if(changed, [this](Triangle t) { return !c_.mesh.alive(t); });
+    sort_unique(changed);
+    pairs = near_pairs(c_.mesh, c_.index, changed, merge_distance_);
+  }
+}
+
+void TopologyPass::merge_short_edges() {
+  OperationCounts& counts = statistics_[TopologyOperation::edge_merge];
+  const Stopwatch watch(counts.seconds);
+  const double shortest = edge_merge_share * merge_distance_;
+  const PlaceMerge::Rules rules{.joined_vertices = true};
+  std::vector<Edge> list;
+  for (Edge e : c_.mesh.edges())
+    if (length(c_.mesh, e) < shortest) list.push_back(e);
+  for (int sweep = 0; sweep < options_.max_sweeps && !list.empty(); ++sweep) {
+    std::ranges::stable_sort(list, {}, [this](Edge e) { return length(c_.mesh, e); });
+    std::vector<Edge> next;
+    for (Edge e : list) {
+      if (!c_.mesh.alive(e) || !(length(c_.mesh, e) < shortest)) continue;
+      const Site a = site_at(c_.mesh, c_.mesh.vertices(e)[0]), b = site_at(c_.mesh, c_.mesh.vertices(e)[1]);
+      std::vector<Region> regions = regions_at(a, b);
+      const auto refusal = merge_.attempt(a, b, rules);
+      counts.count(refusal);
+      if (refusal) continue;
+      statistics_.cancelled_triangles += merge_.cancelled();
+      note(TopologyOperation::edge_merge, std::move(regions), merge_.position());
+      if (!merge_.result().valid()) continue;
+      for (Edge f : c_.mesh.edges(merge_.result()))
+        if (length(c_.mesh, f) < shortest) next.push_back(f);
+    }
+    std::erase_if(next, [this](Edge e) { return !c_.mesh.alive(e); });
+    sort_unique(next);
+    list.swap(next);
+  }
+}
+
+// Contracts the region's edges, shortest first, until it has no film left. Each contraction takes a vertex away.
+bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary) {
+  OperationCounts& counts = statistics_[TopologyOperation::region_collapse];
+  const PlaceMerge::Rules rules{.joined_vertices = true, .keeps_orientation = false};
+  std::vector<Edge> edges;
+  std::optional<Refusal> refusal;
+  const std::size_t most = 3 * boundary.size();
+  for (std::size_t i = 0; i < most && !boundary.empty(); ++i) {
+    edges.clear();
+    for (Triangle t : boundary) edges.insert(edges.end(), c_.mesh.edges(t).begin(), c_.mesh.edges(t).end());
+    sort_unique(edges);
+    std::ranges::stable_sort(edges, {}, [this](Edge e) { return length(c_.mesh, e); });
+    std::vector<Vertex> corners;
+    for (Triangle t : boundary) corners.insert(corners.end(), c_.mesh.vertices(t).begin(), c_.mesh.vertices(t).end());
+    sort_unique(corners);
+    bool merged = false;
+    for (Edge e : edges) {
+      const auto [a, b] = c_.mesh.vertices(e);
+      const auto outcome = merge_.attempt(site_at(c_.mesh, a), site_at(c_.mesh, b), rules);
+      if (!outcome) {
+        merged = true;
+        statistics_.cancelled_triangles += merge_.cancelled();
+        break;
+      }
+      if (!refusal) refusal = outcome;
+    }
+    if (!merged) break;
+    boundary.clear();
+    for (Vertex v : corners) {
+      if (!c_.mesh.alive(v)) continue;
+      for (Triangle t : c_.mesh.triangles(v))
+        if (c_.mesh.labels(t).has(region)) boundary.push_back(t);
+    }
+    sort_unique(boundary);
+  }
+  counts.count(boundary.empty() ? std::optional<Refusal>() : refusal.value_or(Refusal::not_better));
+  return boundary.empty();
+}
+
+void TopologyPass::collapse_small_regions() {
+  const Stopwatch watch(statistics_[TopologyOperation::region_collapse].seconds);
+  const double largest = options_.smallest_region * c_.options.target_edge;
+  for (auto& [region, boundary] : boundaries(c_.mesh)) {
+    if (region == air) continue;
+    std::erase_if(boundary, [this](Triangle t) { return !c_.mesh.alive(t); });
+    if (boundary.empty()) continue;
+    Box box = triangle_box(c_.mesh, boundary.front(), c_.mesh.positions(), 0);
+    std::vector<Region> regions{};
+    for (Triangle t : boundary) {
+      const Box of_triangle = triangle_box(c_.mesh, t, c_.mesh.positions(), 0);
+      box = {box.low.cwiseMin(of_triangle.low), box.high.cwiseMax(of_triangle.high)};
+      regions.push_back(c_.mesh.labels(t).p == region ? c_.mesh.labels(t).q : c_.mesh.labels(t).p);
+    }
+    if (!((box.high - box.low).norm() < largest)) continue;
+    sort_unique(regions);
+    regions.insert(regions.begin(), region);
+    const Vec3 centre = 0.5 * (box.low + box.high);
+    if (collapse_region(region, boundary)) note(TopologyOperation::region_collapse, std::move(regions), centre);
+  }
+}
+
+void TopologyPass::separate_vertices() {
+  OperationCounts& counts = statistics_[TopologyOperation::separation];
+  const Stopwatch watch(counts.seconds);
+  std::vector<Vertex> list;
+  for (Vertex v : c_.mesh.vertices())
+    if (!is_complete(c_.mesh, v)) list.push_back(v);
+  for (int sweep = 0; sweep < options_.max_sweeps && !list.empty(); ++sweep) {
+    std::vector<Vertex> next;
+    for (Vertex v : list) {
+      const Vec3 position = c_.mesh.position(v);
+      const auto refusal = separation_.attempt(v);
+      counts.count(refusal);
+      if (refusal) continue;
+      note(TopologyOperation::separation, separation_.regions(), position);
+      for (Vertex changed : {v, separation_.added()}) {
+        next.push_back(changed);
+        for (Edge e : c_.mesh.edges(changed)) next.push_back(c_.mesh.other_vertex(e, changed));
+      }
+    }
+    sort_unique(next);
+    std::erase_if(next, [this](Vertex v) { return is_complete(c_.mesh, v); });
+    list.swap(next);
+  }
+}
+
+void TopologyPass::count_what_is_left() {
+  statistics_.incomplete_vertices = 0;
+  for (Vertex v : c_.mesh.vertices())
+    if (!is_complete(c_.mesh, v)) ++statistics_.incomplete_vertices;
+}
+
+}  // namespace lostopos

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "LosTopos/topology/near_pairs.h"
+#include "LosTopos/topology/place_merge.h"
+#include "LosTopos/topology/topology_options.h"
+#include "LosTopos/topology/topology_statistics.h"
+#include "LosTopos/topology/vertex_separation.h"
+
+namespace lostopos {
+
+/// The stages of one topology pass, in the order in which they are meant to be run. Each looks over the whole mesh
+/// once, and then at most max_sweeps − 1 times at what its own operations have made.
+class TopologyPass {
+ public:
+  /// `flow`: see VertexSeparation. `context` must be that of no other pass at the same time.
+  TopologyPass(RemeshContext& context, const TopologyOptions& options, VertexSeparation::Flow flow,
+               TopologyStatistics& statistics);
+
+  void collapse_small_regions();  ///< regions that fit into a small box vanish, smallest first
+  void merge_short_edges();       ///< shortest first; those that an edge collapse must leave, because films would meet
+  void snap_near_places();        ///< nearest first
+  void separate_vertices();       ///< in order of handles; both results are looked at again
+  /// Counts the vertices where regions meet without a common film.
+  void count_what_is_left();
+
+ private:
+  struct Link;
+  void note(TopologyOperation kind, std::vector<Region> regions, const Vec3& position);
+  std::optional<Refusal> snap(const NearPair& near);
+  bool collapse_region(Region region, std::vector<Triangle> boundary);
+  std::vector<Region> regions_at(const Site& a, const Site& b) const;
+  void list_result_star(std::vector<Triangle>& list) const;
+
+  RemeshContext& c_;
+  const TopologyOptions& options_;
+  TopologyStatistics& statistics_;
+  PlaceMerge merge_;
+  VertexSeparation separation_;
+  double merge_distance_;  // L
+};
+
+}  // namespace lostopos

@@ -11,6 +11,9 @@ namespace {
 
 // Places nearer to a vertex than this share of h̄ are moved to it before they are joined.
 constexpr double snap_reach = 0.25;
+// No vertex is put nearer than this share of h̄ to those of the edge or triangle that it divides: or else small triangles
+// would be near each other, be divided again, and so on without end.
+constexpr double smallest_division = 0.15;
 // Edges shorter than this share of the merge distance are merged. It leaves the edges alone that separations open.
 constexpr double edge_merge_share = 0.5;
 // Where two stars have a vertex in common, only films that lie over each other are snapped, not neighbours in a film:
@@ -55,6 +58,13 @@ std::array<Site, 2> sites_of(const SurfaceMesh& mesh, const NearPair& near) {
   if (near.pair.kind == ElementPair::Kind::vertex_triangle)
     return {site_at(mesh, Vertex(near.pair.first)), site_in(mesh, Triangle(near.pair.second), {w[1], w[2], w[3]})};
   return {site_on(mesh, Edge(near.pair.first), w[1]), site_on(mesh, Edge(near.pair.second), w[3])};
+}
+
+// Whether a vertex at the site would be at least `room` away from those it lies between.
+bool has_room(const SurfaceMesh& mesh, const Site& site, double room) {
+  return site.vertex.valid() || std::ranges::all_of(site.vertices(), [&](Vertex v) {
+           return (mesh.position(v) - site.point).norm() >= room;
+         });
 }
 
 /// The triangles on the boundary of each region, regions ascending.
@@ -102,7 +112,9 @@ std::optional<Refusal> TopologyPass::snap(const NearPair& near) {
   std::vector<Region> regions = regions_at(at_a, at_b);
   std::optional<Refusal> refusal = merge_.attempt(at_a, at_b, rules);
   const bool moved = at_a.point != a.point || at_b.point != b.point;
-  if (refusal && moved) refusal = merge_.attempt(a, b, rules);
+  const double room = smallest_division * c_.options.target_edge;
+  if (refusal && moved && has_room(c_.mesh, a, room) && has_room(c_.mesh, b, room))
+    refusal = merge_.attempt(a, b, rules);
   if (refusal) return refusal;
   statistics_.cancelled_triangles += merge_.cancelled();
   note(TopologyOperation::snap, std::move(regions), merge_.position());

@@ -48,15 +48,16 @@ MoveResult SurfaceTracker::advance(std::span<const Vec3> predicted) {
   return move_to(predicted);
 }
 
+MoveOptions SurfaceTracker::move_options() const {
+  return {.proximity_epsilon = options_.proximity_epsilon * options_.resolution,
+          .impulse_passes = options_.impulse_passes,
+          .zone_passes = options_.zone_passes,
+          .rigid_passes = options_.rigid_passes,
+          .smallest_step = options_.smallest_step};
+}
+
 MoveResult SurfaceTracker::move_to(std::span<const Vec3> predicted) {
-  if (options_.collisions) {
-    const MoveOptions move{.proximity_epsilon = options_.proximity_epsilon * options_.resolution,
-                           .impulse_passes = options_.impulse_passes,
-                           .zone_passes = options_.zone_passes,
-                           .rigid_passes = options_.rigid_passes,
-                           .smallest_step = options_.smallest_step};
-    return move_safely(mesh_, predicted, held_.slots(), move);
-  }
+  if (options_.collisions) return move_safely(mesh_, predicted, held_.slots(), move_options());
   for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
   return {};
 }
@@ -82,33 +83,49 @@ void SurfaceTracker::require_resolved(std::span<const Vec3> predicted) const {
   }
 }
 
-void SurfaceTracker::do_part(std::span<const Vec3> predicted, TrackerStep& done) {
+void SurfaceTracker::move_part(std::span<const Vec3> predicted, TrackerStep& done) {
   done.move_seconds += seconds_of([&] {
     const MoveResult moved = move_to(predicted);
     done.move.statistics += moved.statistics;
     done.move.fraction += moved.fraction / done.parts;
   });
+}
+
+void SurfaceTracker::improve(TrackerStep& done) {
   done.topology_seconds += seconds_of([&] { done.topology += change_topology(); });
   done.remesh_seconds += seconds_of([&] { done.remesh += remesh(); });
+}
+
+// How many parts the motion is to be done in; 0: it has been done, since nothing was in its way.
+int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done) {
+  if (!motion_) return 1;
+  const double longest = options_.topology.longest_motion * options_.resolution;
+  const int parts = std::max(1, static_cast<int>(std::ceil(motion_->set(mesh_, predicted) / longest - 1e-9)));
+  if (parts == 1 || !options_.collisions) return 1;
+  done.move_seconds += seconds_of([&] {
+    const MoveResult moved = move_if_free(mesh_, predicted, held_.slots(), move_options());
+    done.move = moved;
+  });
+  return done.move.fraction > 0 ? 0 : parts;
 }
 
 TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted) {
   require_resolved(predicted);
   TrackerStep done;
   done.move.fraction = 0;
-  if (motion_) {
-    const double longest = options_.topology.longest_motion * options_.resolution;
-    done.parts = std::max(1, static_cast<int>(std::ceil(motion_->set(mesh_, predicted) / longest)));
-  }
-  if (done.parts == 1) {
-    do_part(predicted, done);
+  const int parts = parts_of(predicted, done);
+  done.parts = std::max(1, parts);
+  if (parts == 1) move_part(predicted, done);
+  if (parts <= 1) {
+    improve(done);
     return done;
   }
   std::vector<Vec3> targets;
-  for (int part = 0; part < done.parts; ++part) {
+  for (int part = 0; part < parts; ++part) {
     targets.assign(mesh_.positions().begin(), mesh_.positions().end());
-    for (Vertex v : mesh_.vertices()) targets[v.index()] += (*motion_)[v] / done.parts;
-    do_part(targets, done);
+    for (Vertex v : mesh_.vertices()) targets[v.index()] += (*motion_)[v] / parts;
+    move_part(targets, done);
+    improve(done);
   }
   return done;
 }

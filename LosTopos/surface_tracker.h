@@ -59,9 +59,10 @@ class SurfaceTracker {
   void add_observer(OperationObserver& observer) { observers_.push_back(&observer); }
 
   /// One step: moves the vertices to, or near, `predicted` (as `advance` does, and throws what it throws), changes the
-  /// topology where that is asked for, and remeshes. A motion that is long against h̄ is done in equal parts with
-  /// topology and remeshing after each, and is carried along by the vertices through these operations. When a part
-  /// throws, the surface is as the parts before have left it.
+  /// topology where that is asked for, and remeshes. A motion in which surfaces collide and that is long (see
+  /// TopologyOptions::longest_motion) is done in equal parts with topology and remeshing after each, and is carried
+  /// along by the vertices through these operations. When a part throws, the surface is as the parts before have left
+  /// it.
   TrackerStep step(std::span<const Vec3> predicted);
 
   /// Moves every living vertex in a straight line to, or near, its entry of `predicted` (L, indexed by vertex handle,
@@ -80,7 +81,10 @@ class SurfaceTracker {
  private:
   void require_resolved(std::span<const Vec3> predicted) const;
   MoveResult move_to(std::span<const Vec3> predicted);
-  void do_part(std::span<const Vec3> predicted, TrackerStep& done);
+  MoveOptions move_options() const;
+  int parts_of(std::span<const Vec3> predicted, TrackerStep& done);
+  void move_part(std::span<const Vec3> predicted, TrackerStep& done);
+  void improve(TrackerStep& done);
 
   SurfaceMesh mesh_;
   TrackerOptions options_;

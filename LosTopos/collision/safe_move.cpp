@@ -44,14 +44,20 @@ class SafeMove {
         motion_(mesh, predicted, held),
         search_(mesh, motion_, options.proximity_epsilon, statistics_) {}
 
-  // True when the motion's ends are verified; else collisions() says what is left.
-  bool attempt(double fraction) {
+  // Looks at the whole motion and repels what is close at its start. True when nothing collides then.
+  bool begin(double fraction) {
     motion_.restart(fraction);
     const FoundContacts found = search_.all();
     statistics_.proximities += found.proximities.size();
     collisions_ = found.collisions;
     too_many_ = found.too_many;
     if (!too_many_ && impulses(found.proximities)) search_again();
+    return collisions_.empty() && !too_many_;
+  }
+
+  // True when the motion's ends are verified; else collisions() says what is left.
+  bool attempt(double fraction) {
+    if (begin(fraction)) return true;
     ImpactZones zones(motion_);
     return rounds(options_.impulse_passes, statistics_.impulse_seconds, [&] { return impulses(collisions_); }) ||
            rounds(options_.zone_passes, statistics_.zone_seconds,
@@ -61,7 +67,9 @@ class SafeMove {
   }
 
   const std::vector<Contact>& collisions() const { return collisions_; }
-  std::span<const Vec3> ends() const { return motion_.ends(); }
+  void finish(SurfaceMesh& mesh) const {
+    for (Vertex v : mesh.vertices()) mesh.set_position(v, motion_.ends()[v.index()]);
+  }
   MoveStatistics& statistics() { return statistics_; }
 
  private:
@@ -146,8 +154,17 @@ MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::
     fraction /= 2;
     ++move.statistics().halvings;
   }
-  for (Vertex v : mesh.vertices()) mesh.set_position(v, move.ends()[v.index()]);
+  move.finish(mesh);
   return {move.statistics(), fraction};
+}
+
+MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+                        const MoveOptions& options) {
+  require_usable(mesh, predicted, held, options);
+  SafeMove move(mesh, predicted, held, options);
+  if (!move.begin(1)) return {move.statistics(), 0};
+  move.finish(mesh);
+  return {move.statistics(), 1};
 }
 
 }  // namespace lostopos

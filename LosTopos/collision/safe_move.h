@@ -81,4 +81,9 @@ class CollisionFailure : public MotionError {
 MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
                        const MoveOptions& options);
 
+/// The same when nothing collides on the way (repulsions aside): else the surface stays where it is, and the result's
+/// fraction is 0.
+MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+                        const MoveOptions& options);
+
 }  // namespace lostopos

@@ -23,9 +23,10 @@ struct TopologyOptions {
 
   /// How often a pass looks again at what its own operations have made, for each kind of operation.
   int max_sweeps = 5;
-  /// A step moves vertices at most this far (in h̄) before the topology is looked at again: a longer motion is done in
-  /// parts, so that surfaces which are pressed together within a step meet instead of crumpling.
-  double longest_motion = 0.2;
+  /// A step in which surfaces collide moves vertices at most this far (in h̄) before the topology is looked at again: a
+  /// longer motion is done in parts, so that surfaces which are pressed together within a step meet instead of
+  /// crumpling.
+  double longest_motion = 0.1;
 };
 
 }  // namespace lostopos

@@ -35,15 +35,22 @@ void print_stages(const RunOutcome& outcome) {
     std::printf("%-18s %10.3f %10.3f %6.1f%%\n", stage.c_str(), seconds, 1e3 * seconds / steps, 100 * seconds / total);
 }
 
+void print_operation(const char* name, const lostopos::OperationCounts& counts) {
+  std::printf("%-18s %10zu done, %.3f s; refused:", name, counts.done, counts.seconds);
+  for (std::size_t k = 0; k < lostopos::refusal_count; ++k)
+    if (counts.refused[k] > 0)
+      std::printf(" %zu %s", counts.refused[k], lostopos::name(static_cast<lostopos::Refusal>(k)));
+  std::printf("%s\n", counts.refused_in_all() == 0 ? " none" : "");
+}
+
 void print_tracker(const RunOutcome& outcome) {
-  for (std::size_t i = 0; i < lostopos::operation_count; ++i) {
-    const lostopos::OperationCounts& counts = outcome.remesh.operations[i];
-    std::printf("%-18s %10zu done, %.3f s; refused:", lostopos::name(static_cast<lostopos::Operation>(i)), counts.done,
-                counts.seconds);
-    for (std::size_t k = 0; k < lostopos::refusal_count; ++k)
-      if (counts.refused[k] > 0)
-        std::printf(" %zu %s", counts.refused[k], lostopos::name(static_cast<lostopos::Refusal>(k)));
-    std::printf("%s\n", counts.refused_in_all() == 0 ? " none" : "");
+  for (std::size_t i = 0; i < lostopos::operation_count; ++i)
+    print_operation(lostopos::name(static_cast<lostopos::Operation>(i)), outcome.remesh.operations[i]);
+  if (outcome.topology_enabled) {
+    for (std::size_t i = 0; i < lostopos::topology_operation_count; ++i)
+      print_operation(lostopos::name(static_cast<lostopos::TopologyOperation>(i)), outcome.topology.operations[i]);
+    std::printf("%-18s %10zu cancelled; %zu vertices left where regions meet without a common film\n", "triangles",
+                outcome.topology.cancelled_triangles, outcome.topology.incomplete_vertices);
   }
   const lostopos::MoveStatistics& m = outcome.move;
   std::printf("%-18s %10zu found, %zu proximities, %zu impulses, %zu inelastic and %zu rigid zones, %zu halved steps\n",

@@ -1,5 +1,7 @@
 #include "FoamSim/dynamics/simulation.h"
 
+#include <utility>
+
 #include "FoamSim/metrics/energy.h"
 #include "FoamSim/metrics/region_constants.h"
 #include "LosTopos/error.h"
@@ -9,6 +11,7 @@ namespace foamsim {
 
 using lostopos::SurfaceMesh;
 using lostopos::Vec3;
+using lostopos::Vertex;
 
 namespace {
 
@@ -19,11 +22,11 @@ void require_usable(const SurfaceMesh& mesh, const SimulationOptions& options) {
   if (options.delta < 0 || options.resolution < 0) throw lostopos::InputError("delta and resolution have to be >= 0");
 }
 
-lostopos::SurfaceTracker make_tracker(SurfaceMesh mesh, const SimulationOptions& options) {
+std::unique_ptr<lostopos::SurfaceTracker> make_tracker(SurfaceMesh mesh, const SimulationOptions& options) {
   require_usable(mesh, options);
   lostopos::TrackerOptions tracker = options.tracker;
   tracker.resolution = resolved_resolution(options, mesh);
-  return lostopos::SurfaceTracker(std::move(mesh), tracker);
+  return std::make_unique<lostopos::SurfaceTracker>(std::move(mesh), tracker);
 }
 
 }  // namespace
@@ -32,17 +35,25 @@ double resolved_resolution(const SimulationOptions& options, const SurfaceMesh& 
   return options.resolution > 0 ? options.resolution : lostopos::mean_edge_length(mesh);
 }
 
-Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects)
+Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects,
+                       std::span<const Vertex> held)
     : options_(options),
       tracker_(make_tracker(std::move(mesh), options)),
-      circulation_(std::make_unique<CirculationField>(tracker_.mesh())),
+      circulation_(std::make_unique<CirculationField>(tracker_->mesh())),
       transfer_(std::make_unique<CirculationTransfer>(*circulation_)),
       effects_(std::move(effects)),
       velocity_(make_biot_savart("direct")),
-      resolution_(tracker_.options().resolution),
+      resolution_(tracker_->options().resolution),
       delta_(options.delta > 0 ? options.delta : 0.75 * resolution_) {
-  tracker_.add_observer(*transfer_);
-  geometry_.update(tracker_.mesh());
+  tracker_->add_observer(*transfer_);
+  for (Vertex v : held) tracker_->held()[v] = 1;
+  any_held_ = !held.empty();
+  geometry_.update(tracker_->mesh(), this->held());
+}
+
+std::span<const char> Simulation::held() const {
+  if (!any_held_) return {};
+  return std::as_const(tracker_->held()).slots();
 }
 
 StepReport Simulation::step() {
@@ -53,7 +64,7 @@ StepReport Simulation::step() {
   {
     const StageTimer timer(report.times, "velocity");
     const std::vector<double> after = gather_circulation();
-    const auto positions = tracker_.mesh().positions();
+    const auto positions = tracker_->mesh().positions();
     const VelocityFunction velocity_at = [this](std::span<const Vec3> x, std::span<Vec3> u) {
       velocity_.evaluate(sheet_, x, x, delta_, u);
     };
@@ -62,10 +73,11 @@ StepReport Simulation::step() {
     measure(before, after, report);
     integrate(options_.integrator, options_.dt, positions, velocities_, velocity_at, predicted_);
   }
+  move_vertices(report.times);
   track(report);
   {
     const StageTimer timer(report.times, "geometry");
-    geometry_.update(tracker_.mesh());
+    geometry_.update(tracker_->mesh(), held());
   }
   ++steps_;
   report.velocity_evaluations = velocity_.evaluations() - evaluations_before;
@@ -73,18 +85,33 @@ StepReport Simulation::step() {
 }
 
 void Simulation::track(StepReport& report) {
-  lostopos::TrackerStep done = tracker_.step(predicted_);
+  lostopos::TrackerStep done = tracker_->step(predicted_);
   report.times.add("move", done.move_seconds);
   if (options_.tracker.topology.enabled) report.times.add("topology", done.topology_seconds);
   if (options_.tracker.remeshing) report.times.add("remesh", done.remesh_seconds);
   report.motion_fraction = done.move.fraction;
   report.move = done.move.statistics;
+  topology_totals_.add(done.topology);
   report.topology = std::move(done.topology);
   report.remesh = done.remesh;
 }
 
+EffectStep Simulation::effect_step() const {
+  return {tracker_->mesh(), geometry_, time(), options_.dt, held()};
+}
+
+void Simulation::move_vertices(StageTimes& times) {
+  for (const auto& effect : effects_) {
+    const StageTimer timer(times, effect->name());
+    effect->move_vertices(effect_step(), predicted_);
+  }
+  const auto held_slots = held();
+  for (std::size_t i = 0; i < held_slots.size(); ++i)
+    if (held_slots[i] != 0) predicted_[i] = tracker_->mesh().positions()[i];
+}
+
 void Simulation::apply_effects(StageTimes& times) {
-  const EffectStep step{tracker_.mesh(), geometry_, time(), options_.dt};
+  const EffectStep step = effect_step();
   for (const auto& effect : effects_) {
     const StageTimer timer(times, effect->name());
     effect->update_circulation(step, *circulation_);
@@ -92,12 +119,12 @@ void Simulation::apply_effects(StageTimes& times) {
 }
 
 std::vector<double> Simulation::gather_circulation() {
-  gather_sheet(tracker_.mesh(), *circulation_, sheet_);
-  return circulation_without_region_constants(tracker_.mesh(), sheet_, tracker_.mesh().positions());
+  gather_sheet(tracker_->mesh(), *circulation_, sheet_, held());
+  return circulation_without_region_constants(tracker_->mesh(), sheet_, tracker_->mesh().positions());
 }
 
 void Simulation::measure(std::span<const double> before, std::span<const double> after, StepReport& report) const {
-  const auto positions = tracker_.mesh().positions();
+  const auto positions = tracker_->mesh().positions();
   report.kinetic_energy = kinetic_energy(before, sheet_, positions, velocities_);
   report.potential_energy = potential_energy();
   std::vector<double> middle(before.size());

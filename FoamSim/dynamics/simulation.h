@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "FoamSim/dynamics/integrator.h"
+#include "FoamSim/dynamics/topology_totals.h"
 #include "FoamSim/effects/effect.h"
 #include "FoamSim/metrics/stage_times.h"
 #include "FoamSim/sheet/circulation_transfer.h"
@@ -38,27 +39,29 @@ struct StepReport {
   lostopos::Vec3 impulse = lostopos::Vec3::Zero();
   double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
   long velocity_evaluations = 0;
-  double motion_fraction = 1;         ///< of the predicted motion that the tracker could do
-  lostopos::MoveStatistics move;      ///< collisions found and answered
-  lostopos::RemeshStatistics remesh;  ///< operations done and refused
-  lostopos::TopologyStatistics topology;
+  double motion_fraction = 1;             ///< of the predicted motion that the tracker could do
+  lostopos::MoveStatistics move;          ///< collisions found and answered
+  lostopos::RemeshStatistics remesh;      ///< operations done and refused
+  lostopos::TopologyStatistics topology;  ///< films that joined, parted or vanished, and the events in order
 };
 
 /// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: METHOD "One time step".
 class Simulation {
  public:
-  /// Starts at rest (Γ = 0), at time 0. Effects act in the order given. Throws lostopos::InputError for a mesh without
-  /// triangles or options out of range.
-  Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options,
-             std::vector<std::unique_ptr<Effect>> effects);
+  /// Starts at rest (Γ = 0), at time 0. Effects act in the order given. `held` vertices stay where they are: films end
+  /// there at a wire or frame. Throws lostopos::InputError for a mesh without triangles or options out of range.
+  Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects,
+             std::span<const lostopos::Vertex> held = {});
 
   /// One step of dt: curvature and other effects on Γ, velocity, predicted positions, the tracker's move, remeshing.
   /// Throws lostopos::MotionError when the surface cannot be moved; positions are then those before the step.
   StepReport step();
 
-  const lostopos::SurfaceMesh& mesh() const { return tracker_.mesh(); }
+  const lostopos::SurfaceMesh& mesh() const { return tracker_->mesh(); }
   const CirculationField& circulation() const { return *circulation_; }
   CirculationField& circulation() { return *circulation_; }
+  /// By vertex slot: not zero where the vertex is held; empty when none is.
+  std::span<const char> held() const;
   /// Areas, angles and region lists of the surface as it is now.
   const SurfaceGeometry& geometry() const { return geometry_; }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
@@ -69,18 +72,22 @@ class Simulation {
   double time() const { return static_cast<double>(steps_) * options_.dt; }
   /// Sum of the effects' potential energies of the surface as it is now.
   double potential_energy() const;
-  /// Continues the count of steps of an earlier run.
+  const TopologyTotals& topology_totals() const { return topology_totals_; }
+  /// Continues the counts of an earlier run.
   void set_steps(long steps) { steps_ = steps; }
+  void set_topology_totals(const TopologyTotals& totals) { topology_totals_ = totals; }
 
  private:
+  EffectStep effect_step() const;
   void apply_effects(StageTimes& times);
+  void move_vertices(StageTimes& times);
   void track(StepReport& report);
   // Γ̄ of the sheet's triangles as they are now, without region constants.
   std::vector<double> gather_circulation();
   void measure(std::span<const double> before, std::span<const double> after, StepReport& report) const;
 
   SimulationOptions options_;
-  lostopos::SurfaceTracker tracker_;
+  std::unique_ptr<lostopos::SurfaceTracker> tracker_;
   std::unique_ptr<CirculationField> circulation_;
   std::unique_ptr<CirculationTransfer> transfer_;
   std::vector<std::unique_ptr<Effect>> effects_;
@@ -90,6 +97,8 @@ class Simulation {
   std::vector<lostopos::Vec3> velocities_, predicted_;
   double resolution_ = 0, delta_ = 0;
   long steps_ = 0;
+  TopologyTotals topology_totals_;
+  bool any_held_ = false;
 };
 
 }  // namespace foamsim

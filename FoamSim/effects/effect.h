@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "FoamSim/sheet/circulation.h"
@@ -13,6 +14,9 @@ struct EffectStep {
   const SurfaceGeometry& geometry;  ///< of the mesh's present positions
   double time;                      ///< at the start of the step, T
   double dt;                        ///< T
+  std::span<const char> held = {};  ///< by vertex slot: not zero where a wire or frame holds the vertex; empty: nowhere
+
+  bool is_held(lostopos::Vertex v) const { return v.index() < held.size() && held[v.index()] != 0; }
 };
 
 /// Something that acts on the sheet: constructed only for a scene that names it, with its own options and state.
@@ -26,7 +30,11 @@ class Effect {
   /// Its name in the registry.
   virtual std::string_view name() const = 0;
   /// Changes Γ over step.dt. Called once a step, in the order of the registry, before velocities are evaluated.
-  virtual void update_circulation(const EffectStep& step, CirculationField& circulation) = 0;
+  virtual void update_circulation(const EffectStep& /*step*/, CirculationField& /*circulation*/) {}
+  /// Changes where vertices go in the step: `predicted` has one position (L) a vertex slot, those that the air's motion
+  /// leads to. Called once a step, in the order of the registry, on the surface that update_circulation saw; vertices
+  /// that are held stay whatever it says.
+  virtual void move_vertices(const EffectStep& /*step*/, std::span<lostopos::Vec3> /*predicted*/) {}
   /// Potential energy over air density (L⁵/T²) that it has given to the surface as it is now.
   virtual double potential_energy(const SurfaceGeometry& /*geometry*/) const { return 0.0; }
 };

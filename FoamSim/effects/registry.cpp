@@ -4,6 +4,7 @@
 
 #include "FoamSim/effects/damping.h"
 #include "FoamSim/effects/diffusion.h"
+#include "FoamSim/effects/growth.h"
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/names/nearest_name.h"
 #include "FoamSim/sheet/vertex_area/registry.h"
@@ -50,6 +51,10 @@ std::vector<EffectEntry> make_entries() {
        "circulation is smoothed along each film",
        {non_negative_number("diffusion", 10, "rate s of smoothing of circulation, 1/T")},
        [](const EffectSetup& setup) -> Made { return std::make_unique<Diffusion>(setup.options.number("diffusion")); }},
+      {"growth",
+       "bubbles grow: films towards the air move along their normals until bubbles meet and press into a foam",
+       {non_negative_number("growth", 0.5, "speed of the films, L/T")},
+       [](const EffectSetup& setup) -> Made { return std::make_unique<Growth>(setup.options.number("growth")); }},
   };
   for (EffectEntry& entry : entries)
     for (OptionSpec& spec : entry.options) spec.effect = entry.name;

@@ -15,7 +15,7 @@ void SurfaceTension::update_circulation(const EffectStep& step, CirculationField
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i) {
                         const Vertex v(i);
-                        if (!step.mesh.alive(v)) continue;
+                        if (!step.mesh.alive(v) || step.is_held(v)) continue;
                         for (PairCirculation& held : circulation.at(v))
                           held.value += sigma_ * step.dt *
                                         (curvature_.get(step.geometry, v, held.pair.low) -

@@ -7,7 +7,8 @@
 
 namespace foamsim {
 
-/// Γ_v^{pq} += σ (H_v^p − H_v^q) dt (Da et al. 2015): the pressure jump of curved films drives the air.
+/// Γ_v^{pq} += σ (H_v^p − H_v^q) dt (Da et al. 2015): the pressure jump of curved films drives the air. At held
+/// vertices Γ stays: the force there is the wire's.
 class SurfaceTension final : public Effect {
  public:
   /// `sigma`: tension of one film side over density, L³/T², ≥ 0.

@@ -18,7 +18,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int version = 1;
+constexpr int version = 2;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34;
 
 template <class T>
@@ -149,6 +149,32 @@ std::vector<std::vector<PairCirculation>> circulation_from(const json& value) {
   return circulation;
 }
 
+json held_json(const Simulation& simulation) {
+  std::vector<std::uint32_t> held;
+  const auto slots = simulation.held();
+  for (std::size_t i = 0; i < slots.size(); ++i)
+    if (slots[i] != 0 && simulation.mesh().alive(Vertex(i))) held.push_back(Vertex(i).index());
+  return blob(held);
+}
+
+std::vector<Vertex> held_from(const json& value, const SurfaceMesh& mesh) {
+  std::vector<Vertex> held;
+  for (std::uint32_t slot : from_blob<std::uint32_t>(value)) {
+    if (slot >= mesh.vertex_slots() || !mesh.alive(Vertex(slot))) throw InputError("a held vertex does not exist");
+    held.emplace_back(slot);
+  }
+  return held;
+}
+
+json topology_json(const TopologyTotals& t) {
+  return {t.snaps, t.edge_merges, t.separations, t.region_collapses, t.cancelled_triangles};
+}
+
+TopologyTotals topology_from(const json& value) {
+  const auto counts = value.get<std::array<std::size_t, 5>>();
+  return {counts[0], counts[1], counts[2], counts[3], counts[4]};
+}
+
 json volumes_json(const std::vector<lostopos::RegionVolume>& volumes) {
   json list = json::array();
   for (const auto& [region, volume] : volumes) list.push_back({region.index(), volume});
@@ -160,9 +186,17 @@ Checkpoint checkpoint_from(const json& value) {
     throw InputError("it is not a checkpoint of version " + std::to_string(version));
   Scene scene{value.at("scene"), value.at("mesh_file"), OptionSet(scene_option_specs()), {}};
   options_from_json(value.at("options"), scene.options);
-  Checkpoint checkpoint{std::move(scene),      mesh_from(value.at("mesh")), circulation_from(value.at("circulation")),
-                        value.at("step"),      value.at("resolution"),      {},
-                        lostopos::Vec3::Zero()};
+  SurfaceMesh mesh = mesh_from(value.at("mesh"));
+  std::vector<Vertex> held = held_from(value.at("held"), mesh);
+  Checkpoint checkpoint{.scene = std::move(scene),
+                        .mesh = std::move(mesh),
+                        .circulation = circulation_from(value.at("circulation")),
+                        .held = std::move(held),
+                        .step = value.at("step"),
+                        .topology = topology_from(value.at("topology")),
+                        .resolution = value.at("resolution"),
+                        .start_volumes = {},
+                        .start_centroid = lostopos::Vec3::Zero()};
   if (checkpoint.circulation.size() != checkpoint.mesh.vertex_slots())
     throw InputError("circulation and mesh differ in length");
   for (const json& entry : value.at("start_volumes"))
@@ -182,10 +216,12 @@ void write_checkpoint(const std::filesystem::path& file, const Scene& scene, con
                    {"mesh_file", scene.mesh_file},
                    {"options", options_to_json(scene.options)},
                    {"step", simulation.steps()},
+                   {"topology", topology_json(simulation.topology_totals())},
                    {"resolution", simulation.resolution()},
                    {"start_volumes", volumes_json(start_volumes)},
                    {"start_centroid", {start_centroid.x(), start_centroid.y(), start_centroid.z()}},
                    {"mesh", mesh_json(simulation.mesh())},
+                   {"held", held_json(simulation)},
                    {"circulation", circulation_json(simulation.mesh(), simulation.circulation())}};
   const std::vector<std::uint8_t> bytes = json::to_cbor(value);
   lostopos::AtomicFile out(file);
@@ -212,11 +248,13 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
 }
 
 Simulation resume(Checkpoint& checkpoint) {
-  Simulation simulation = make_simulation(checkpoint.scene, std::move(checkpoint.mesh), checkpoint.resolution);
+  Simulation simulation =
+      make_simulation(checkpoint.scene, std::move(checkpoint.mesh), checkpoint.resolution, checkpoint.held);
   for (std::size_t slot = 0; slot < checkpoint.circulation.size(); ++slot)
     for (const PairCirculation& held : checkpoint.circulation[slot])
       simulation.circulation().set(Vertex(slot), {held.pair.low, held.pair.high}, held.value);
   simulation.set_steps(checkpoint.step);
+  simulation.set_topology_totals(checkpoint.topology);
   return simulation;
 }
 

@@ -12,7 +12,9 @@ struct Checkpoint {
   Scene scene;
   lostopos::SurfaceMesh mesh;
   std::vector<std::vector<PairCirculation>> circulation;  ///< by vertex slot
+  std::vector<lostopos::Vertex> held;                     ///< vertices that are held
   long step = 0;
+  TopologyTotals topology;
   double resolution = 0;                              ///< h̄, L
   std::vector<lostopos::RegionVolume> start_volumes;  ///< at the start of the run
   lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();

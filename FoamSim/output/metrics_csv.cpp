@@ -50,8 +50,8 @@ const std::vector<Column>& columns() {
       {"angle_outer_mean_deg", [](const Metrics& m) { return text(m.angle_outer_mean_deg); }},
       {"volume_drift_max", [](const Metrics& m) { return text(m.volume_drift_max); }},
       {"triangle_angle_min_deg", [](const Metrics& m) { return text(m.triangle_angle_min_deg); }},
-      {"t1_count", [](const Metrics& m) { return text(m.t1_count); }},
-      {"snap_count", [](const Metrics& m) { return text(m.snap_count); }},
+      {"t1_count", [](const Metrics& m) { return text(m.topology_totals.separations); }},
+      {"snap_count", [](const Metrics& m) { return text(m.topology_totals.snaps); }},
       {"step_seconds", [](const Metrics& m) { return text(m.step_seconds); }},
       {"kinetic_energy", [](const Metrics& m) { return text(m.kinetic_energy); }},
       {"potential_energy", [](const Metrics& m) { return text(m.potential_energy); }},
@@ -78,6 +78,11 @@ const std::vector<Column>& columns() {
       {"smoothing_seconds", [](const Metrics& m) { return text(m.remesh[Operation::smoothing].seconds); }},
       {"angle_rms_film_deg", [](const Metrics& m) { return text(m.angle_rms_film_deg); }},
       {"angle_outer_mean_film_deg", [](const Metrics& m) { return text(m.angle_outer_mean_film_deg); }},
+      {"edge_merges", [](const Metrics& m) { return text(m.topology_totals.edge_merges); }},
+      {"region_collapses", [](const Metrics& m) { return text(m.topology_totals.region_collapses); }},
+      {"cancelled_triangles", [](const Metrics& m) { return text(m.topology_totals.cancelled_triangles); }},
+      {"incomplete_vertices", [](const Metrics& m) { return text(m.incomplete_vertices); }},
+      {"topology_seconds", [](const Metrics& m) { return text(m.topology_seconds); }},
   };
   return all;
 }

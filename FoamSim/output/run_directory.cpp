@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array run_files{"run.json", "metrics.csv", "volumes.csv", "checkpoint.cbor", "surface.pvd"};
+constexpr std::array run_files{"run.json",   "metrics.csv",     "volumes.csv",
+                               "events.csv", "checkpoint.cbor", "surface.pvd"};
 constexpr std::array run_folders{"frames", "vtp"};
 
 bool holds_a_run(const fs::path& path) {

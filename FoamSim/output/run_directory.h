@@ -4,7 +4,7 @@
 
 namespace foamsim {
 
-/// Where a run writes: DIR with run.json, metrics.csv, volumes.csv, frames/, checkpoint.cbor.
+/// Where a run writes: DIR with run.json, metrics.csv, volumes.csv, events.csv, frames/, checkpoint.cbor.
 class RunDirectory {
  public:
   /// Makes the folder and tries that it can be written to. Throws lostopos::InputError when it holds a run already and
@@ -17,6 +17,7 @@ class RunDirectory {
   std::filesystem::path run_json() const { return path_ / "run.json"; }
   std::filesystem::path metrics_csv() const { return path_ / "metrics.csv"; }
   std::filesystem::path volumes_csv() const { return path_ / "volumes.csv"; }
+  std::filesystem::path events_csv() const { return path_ / "events.csv"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.cbor"; }
   std::filesystem::path pvd() const { return path_ / "surface.pvd"; }
   std::filesystem::path frame(long step) const;

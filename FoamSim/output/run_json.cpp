@@ -30,22 +30,38 @@ ordered_json times_json(const StageTimes& times) {
   return stages;
 }
 
-// Operations done, and refused by reason; and the edges that stayed out of bounds by the reason why.
-ordered_json remeshing_json(const lostopos::RemeshStatistics& statistics) {
-  const auto by_reason = [](const auto& counts) {
-    ordered_json reasons = ordered_json::object();
-    for (std::size_t i = 0; i < lostopos::refusal_count; ++i)
-      if (counts[i] > 0) reasons[lostopos::name(static_cast<lostopos::Refusal>(i))] = counts[i];
-    return reasons;
-  };
+ordered_json by_reason(const std::array<std::size_t, lostopos::refusal_count>& counts) {
+  ordered_json reasons = ordered_json::object();
+  for (std::size_t i = 0; i < lostopos::refusal_count; ++i)
+    if (counts[i] > 0) reasons[lostopos::name(static_cast<lostopos::Refusal>(i))] = counts[i];
+  return reasons;
+}
+
+// What was done, and refused by reason, for each of the operations that the kind numbers.
+template <class Kind, std::size_t count>
+ordered_json operations_json(const std::array<lostopos::OperationCounts, count>& operations) {
   ordered_json value = ordered_json::object();
-  for (std::size_t i = 0; i < lostopos::operation_count; ++i) {
-    const lostopos::OperationCounts& counts = statistics.operations[i];
-    value[lostopos::name(static_cast<lostopos::Operation>(i))] = {
-        {"done", counts.done}, {"seconds", counts.seconds}, {"refused", by_reason(counts.refused)}};
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    value[lostopos::name(static_cast<Kind>(i))] = {{"done", operations[i].done},
+                                                   {"seconds", operations[i].seconds},
+                                                   {"refused", by_reason(operations[i].refused)}};
+  return value;
+}
+
+// With the edges that stayed out of bounds by the reason why.
+ordered_json remeshing_json(const lostopos::RemeshStatistics& statistics) {
+  ordered_json value = operations_json<lostopos::Operation>(statistics.operations);
   value["edges_left_too_long"] = by_reason(statistics.too_long.refused);
   value["edges_left_too_short"] = by_reason(statistics.too_short.refused);
+  return value;
+}
+
+// A block each for what was done and refused, by reason; and what is left of the last step.
+ordered_json topology_json(const lostopos::TopologyStatistics& statistics) {
+  ordered_json value = operations_json<lostopos::TopologyOperation>(statistics.operations);
+  value["cancelled_triangles"] = statistics.cancelled_triangles;
+  value["incomplete_vertices"] = statistics.incomplete_vertices;
+  value["seconds"] = statistics.seconds;
   return value;
 }
 
@@ -78,6 +94,7 @@ void write_run_json(const std::filesystem::path& file, const Scene& scene, const
                            {"wall_seconds", outcome.wall_seconds},
                            {"stage_seconds", times_json(outcome.times)},
                            {"remeshing", remeshing_json(outcome.remesh)},
+                           {"topology", topology_json(outcome.topology)},
                            {"collisions", collisions_json(outcome.move)},
                            {"last_frame", outcome.last_frame.filename().string()}};
   lostopos::AtomicFile out(file);

@@ -30,7 +30,7 @@ struct Start {
 
 Start start_from_scene(const Scene& scene) {
   Simulation simulation = make_simulation(scene);
-  auto volumes = lostopos::region_volumes(simulation.mesh());
+  auto volumes = closed_region_volumes(simulation.mesh());
   const lostopos::Vec3 centroid = lostopos::surface_centroid(simulation.mesh());
   return {scene, std::move(simulation), std::move(volumes), centroid};
 }
@@ -48,8 +48,14 @@ long last_step(const StopAt& stop, const Start& start) {
   if (stop.steps && stop.time) return std::min(*stop.steps, steps_of(*stop.time));
   if (stop.steps) return *stop.steps;
   if (stop.time) return steps_of(*stop.time);
-  if (stop.until_rest)
-    return steps_of(rest_patience * characteristic_time(start.volumes, start.scene.options.number("sigma")));
+  if (stop.until_rest) {
+    const double characteristic = characteristic_time(start.volumes, start.scene.options.number("sigma"));
+    if (!(characteristic > 0))
+      throw lostopos::InputError(
+          "--until-rest needs a bubble and a tension (sigma > 0), whose characteristic time tells what rest is; give "
+          "--time or --steps here");
+    return steps_of(rest_patience * characteristic);
+  }
   return steps_of(start.scene.options.number("time"));
 }
 
@@ -68,9 +74,11 @@ class Run {
 
   /// The state at the start: the first thing that is written.
   void begin() {
+    last_step_ = last_step(settings_.stop, start_);
     outcome_.first_step = start_.simulation.steps();
     outcome_.directory = writer_.directory().path();
     outcome_.start_centroid = start_.centroid;
+    outcome_.topology_enabled = start_.simulation.options().tracker.topology.enabled;
     StepReport none;
     none.potential_energy = start_.simulation.potential_energy();
     outcome_.start = outcome_.last = measure(start_.simulation, none, 0, start_.volumes);
@@ -95,7 +103,7 @@ class Run {
 
  private:
   void loop() {
-    const long end = last_step(settings_.stop, start_);
+    const long end = last_step_;
     outcome_.end = settings_.stop.until_rest ? RunEnd::not_at_rest : RunEnd::finished;
     while (start_.simulation.steps() < end) {
       if (hooks_.interrupted && hooks_.interrupted()) {
@@ -137,6 +145,8 @@ class Run {
     outcome_.times.add(report.times);
     outcome_.remesh += report.remesh;
     outcome_.move += report.move;
+    report.topology.events.clear();  // written
+    outcome_.topology += report.topology;
     return true;
   }
 
@@ -145,6 +155,7 @@ class Run {
   const RunHooks& hooks_;
   RunWriter writer_;
   RestDetector rest_;
+  long last_step_ = 0;
   RunOutcome outcome_;
 };
 

@@ -37,6 +37,8 @@ struct RunOutcome {
   StageTimes times;
   lostopos::RemeshStatistics remesh;  ///< summed over all steps
   lostopos::MoveStatistics move;
+  bool topology_enabled = false;
+  lostopos::TopologyStatistics topology;  ///< without the events, which are in events.csv
   double wall_seconds = 0;
   std::filesystem::path directory, last_frame, checkpoint;
 };
@@ -50,7 +52,8 @@ struct RunHooks {
 /// The options' bound on --until-rest, in characteristic times √(R³/σ) of the mean bubble.
 inline constexpr double rest_patience = 500;
 
-/// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, frames, checkpoint). A simulation that
+/// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, events.csv where the topology may change,
+/// frames, checkpoint). A simulation that
 /// cannot go on, or an interruption, ends the run with the last good state saved; lostopos::InputError (bad scene,
 /// folder or checkpoint, disk full) is thrown, before anything is written where that is possible.
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks = {});

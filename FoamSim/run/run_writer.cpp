@@ -1,6 +1,7 @@
 #include "FoamSim/run/run_writer.h"
 
 #include "FoamSim/output/checkpoint.h"
+#include "FoamSim/output/events_csv.h"
 #include "FoamSim/output/metrics_csv.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/vtp.h"
@@ -51,6 +52,7 @@ RunWriter::RunWriter(RunDirectory directory, const Scene& scene, long resumed_st
       metrics_every_(scene.options.whole("metrics_every")),
       checkpoint_every_(scene.options.whole("checkpoint_every")),
       vtp_(scene.options.flag("vtp")) {
+  if (scene.options.flag("topology.enabled")) events_ = table(directory_.events_csv(), events_header(), resumed_step);
   if (vtp_) std::filesystem::create_directories(directory_.path() / "vtp");
 }
 
@@ -67,6 +69,7 @@ void RunWriter::write_step(const Scene& scene, const Simulation& simulation, con
     metrics_.add(metrics_row(metrics));
     volumes_.add(volumes_rows(metrics));
   }
+  if (events_ && !metrics.events.empty()) events_->add(events_rows(metrics));
   if (due(metrics.step, frame_every_)) write_frame(simulation);
   if (due(metrics.step, checkpoint_every_)) write_checkpoint(scene, simulation, start_volumes, start_centroid);
 }

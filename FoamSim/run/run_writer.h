@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "FoamSim/metrics/metrics.h"
@@ -35,6 +36,7 @@ class RunWriter {
 
   RunDirectory directory_;
   CsvTable metrics_, volumes_;
+  std::optional<CsvTable> events_;  // only where the topology may change
   lostopos::PvdWriter pvd_;
   long frame_every_, metrics_every_, checkpoint_every_;
   bool vtp_;

@@ -12,9 +12,11 @@
 #include "FoamSim/sheet/vertex_area/registry.h"
 #include "LosTopos/error.h"
 #include "LosTopos/io/mesh_file.h"
+#include "LosTopos/options/tracker_options.h"
 
 namespace foamsim {
 
+using lostopos::Edge;
 using lostopos::InputError;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;
@@ -27,6 +29,15 @@ std::vector<OptionSpec> general_option_specs() {
       whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
       {"amplitude", 0.02, "sphere: the mode's amplitude over the radius", "a number between -1 and 1",
        [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
+      positive_number("gap", 0.1, "twobubbles: distance between the two at the start, L"),
+      {"speed", 0.5, "twobubbles: of each towards the other at the start, L/T; 0: at rest", "a finite number"},
+      whole_number("spheres", 8, 1, "foaminit: number of spheres"),
+      {"layout", std::string("grid"), "foaminit: grid (jittered) or random", "grid or random",
+       [](const OptionValue& value) {
+         return std::get<std::string>(value) == "grid" || std::get<std::string>(value) == "random";
+       }},
+      {"displacement", 0.2, "triplejunction, quadjunction: of the junction at the start, L",
+       "a number between -1 and 1", [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
       positive_number("dt", 0.01, "length of a step, T"),
       non_negative_number("time", 4, "simulated time, T"),
       non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
@@ -42,45 +53,11 @@ std::vector<OptionSpec> general_option_specs() {
   };
 }
 
-// Bounds of the tracker (METHOD "Moving without intersection" and "Remeshing and topology"), relative to h̄.
-std::vector<OptionSpec> tracker_option_specs() {
-  const lostopos::TrackerOptions d;
-  return {
-      flag("tracker.collisions", d.collisions, "keep the films from intersecting"),
-      non_negative_number("tracker.proximity", d.proximity_epsilon,
-                          "films nearer than this are pushed apart, in resolutions"),
-      flag("remeshing.enabled", true, "split, collapse, flip and smooth triangles after every step"),
-      whole_number("remeshing.iterations", d.remeshing_iterations, 1, "remeshing passes a step"),
-      positive_number("remeshing.shortest_edge", d.remesh.shortest_edge, "shorter edges are collapsed, in resolutions"),
-      positive_number("remeshing.longest_edge", d.remesh.longest_edge, "longer edges are split, in resolutions"),
-      positive_number("remeshing.min_area", d.remesh.min_area, "no smaller triangle is made, in resolutions squared"),
-      positive_number("remeshing.min_angle", d.remesh.min_angle, "no smaller angle is made, degrees"),
-      positive_number("remeshing.max_angle", d.remesh.max_angle, "no larger angle is made, degrees"),
-      positive_number("remeshing.split_angle", d.remesh.split_angle,
-                      "the edge opposite to a larger angle is split, degrees"),
-      positive_number("remeshing.max_volume_change", d.remesh.max_volume_change,
-                      "largest change of a volume by an operation, in resolutions cubed"),
-      flag("remeshing.smoothing", d.remesh.smoothing, "smooth badly shaped triangles along the films"),
-      flag("remeshing.butterfly", d.remesh.use_butterfly, "curved positions for new vertices; false: midpoints"),
-  };
-}
-
-lostopos::TrackerOptions tracker_options(const OptionSet& options) {
-  lostopos::TrackerOptions tracker;
-  tracker.collisions = options.flag("tracker.collisions");
-  tracker.proximity_epsilon = options.number("tracker.proximity");
-  tracker.remeshing = options.flag("remeshing.enabled");
-  tracker.remeshing_iterations = static_cast<int>(options.whole("remeshing.iterations"));
-  tracker.remesh.shortest_edge = options.number("remeshing.shortest_edge");
-  tracker.remesh.longest_edge = options.number("remeshing.longest_edge");
-  tracker.remesh.min_area = options.number("remeshing.min_area");
-  tracker.remesh.min_angle = options.number("remeshing.min_angle");
-  tracker.remesh.max_angle = options.number("remeshing.max_angle");
-  tracker.remesh.split_angle = options.number("remeshing.split_angle");
-  tracker.remesh.max_volume_change = options.number("remeshing.max_volume_change");
-  tracker.remesh.smoothing = options.flag("remeshing.smoothing");
-  tracker.remesh.use_butterfly = options.flag("remeshing.butterfly");
-  return tracker;
+// Remeshing and topology changes are on unless a scene says otherwise.
+lostopos::TrackerOptions tracker_defaults() {
+  lostopos::TrackerOptions defaults;
+  defaults.topology.enabled = true;
+  return defaults;
 }
 
 void require_known_names(const OptionSet& options) {
@@ -89,19 +66,45 @@ void require_known_names(const OptionSet& options) {
   integrator_by_name(options.word("integrator"));
 }
 
-// `circulation` (may be null) receives what a file of the reference program holds besides the surface.
-SurfaceMesh start_surface(const Scene& scene, lostopos::PairValues* circulation) {
-  if (scene.mesh_file.empty()) return scene_by_name(scene.name).build(scene.options);
+// With what a file of the reference program holds besides the surface.
+struct StartSurface {
+  SurfaceMesh mesh;
+  lostopos::PairValues circulation = {};
+  std::vector<Vertex> held = {};
+};
+
+void hold_free_edges(StartSurface& start) {
+  for (Edge e : start.mesh.edges())
+    if (start.mesh.triangles(e).size() == 1)
+      start.held.insert(start.held.end(), start.mesh.vertices(e).begin(), start.mesh.vertices(e).end());
+}
+
+StartSurface start_surface(const Scene& scene) {
+  if (scene.mesh_file.empty()) return {scene_by_name(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
-  if (circulation != nullptr) *circulation = std::move(data.circulation);
-  return lostopos::to_mesh(data);
+  StartSurface start{lostopos::to_mesh(data), std::move(data.circulation)};
+  for (const lostopos::HeldVertex& held : data.held) {
+    start.held.emplace_back(held.vertex);
+    start.mesh.set_position(Vertex(held.vertex), held.position);
+  }
+  return start;
+}
+
+void set_start_motion(const Scene& scene, const lostopos::PairValues& given, Simulation& simulation) {
+  if (scene.mesh_file.empty()) {
+    if (const auto set_motion = scene_by_name(scene.name).set_motion) set_motion(scene.options, simulation);
+    return;
+  }
+  for (std::size_t v = 0; v + 1 < given.offsets.size(); ++v)
+    for (const auto& [p, q, value] : given.at(v)) simulation.circulation().set(Vertex(v), {p, q}, value);
+  simulation.circulation().match(simulation.mesh());
 }
 
 }  // namespace
 
 std::vector<OptionSpec> scene_option_specs() {
   std::vector<OptionSpec> specs = general_option_specs();
-  for (OptionSpec& spec : tracker_option_specs()) specs.push_back(std::move(spec));
+  for (OptionSpec& spec : lostopos::tracker_option_specs(tracker_defaults())) specs.push_back(std::move(spec));
   for (const EffectEntry& effect : effect_entries())
     specs.insert(specs.end(), effect.options.begin(), effect.options.end());
   return specs;
@@ -136,7 +139,7 @@ void validate(const Scene& scene) {
 }
 
 SurfaceMesh build_surface(const Scene& scene) {
-  return start_surface(scene, nullptr);
+  return start_surface(scene).mesh;
 }
 
 SimulationOptions simulation_options(const OptionSet& options) {
@@ -144,25 +147,23 @@ SimulationOptions simulation_options(const OptionSet& options) {
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
           .integrator = integrator_by_name(options.word("integrator")),
-          .tracker = tracker_options(options)};
+          .tracker = lostopos::tracker_options(options)};
 }
 
-Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution) {
+Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution, std::span<const Vertex> held) {
   validate(scene);
   SimulationOptions options = simulation_options(scene.options);
   options.resolution = resolution;
-  return {std::move(surface), options, make_effects(scene.options.words("effects"), {scene.options, resolution})};
+  return {std::move(surface), options, make_effects(scene.options.words("effects"), {scene.options, resolution}), held};
 }
 
 Simulation make_simulation(const Scene& scene) {
   validate(scene);
-  lostopos::PairValues circulation;
-  SurfaceMesh surface = start_surface(scene, &circulation);
-  const double resolution = resolved_resolution(simulation_options(scene.options), surface);
-  Simulation simulation = make_simulation(scene, std::move(surface), resolution);
-  for (std::size_t v = 0; v + 1 < circulation.offsets.size(); ++v)
-    for (const auto& [p, q, value] : circulation.at(v)) simulation.circulation().set(Vertex(v), {p, q}, value);
-  simulation.circulation().match(simulation.mesh());
+  StartSurface start = start_surface(scene);
+  hold_free_edges(start);
+  const double resolution = resolved_resolution(simulation_options(scene.options), start.mesh);
+  Simulation simulation = make_simulation(scene, std::move(start.mesh), resolution, start.held);
+  set_start_motion(scene, start.circulation, simulation);
   return simulation;
 }
 

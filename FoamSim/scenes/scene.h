@@ -35,9 +35,12 @@ lostopos::SurfaceMesh build_surface(const Scene& scene);
 
 SimulationOptions simulation_options(const OptionSet& options);
 
-/// The simulation of the scene from its start. Validates first.
+/// The simulation of the scene from its start. Validates first. A film that ends at a free edge ends at a frame: the
+/// vertices on such edges are held, and so are those that a mesh file says are.
 Simulation make_simulation(const Scene& scene);
-/// The same from a given surface (of a checkpoint, say); `resolution` is h̄ (L).
-Simulation make_simulation(const Scene& scene, lostopos::SurfaceMesh surface, double resolution);
+/// The same, at rest, from a given surface (of a checkpoint, say); `resolution` is h̄ (L), `held` the vertices that are
+/// held.
+Simulation make_simulation(const Scene& scene, lostopos::SurfaceMesh surface, double resolution,
+                           std::span<const lostopos::Vertex> held);
 
 }  // namespace foamsim

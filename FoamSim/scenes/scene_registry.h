@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/options/option_set.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
@@ -15,6 +16,8 @@ struct SceneEntry {
   std::vector<std::pair<std::string_view, OptionValue>> defaults;
   std::string_view uses;  ///< what n (and other shape options) mean here
   lostopos::SurfaceMesh (*build)(const OptionSet&);
+  /// Gives the films their circulation at the start; null: at rest.
+  void (*set_motion)(const OptionSet&, Simulation&) = nullptr;
 };
 
 /// All built-in scenes. A new one is a shape and an entry in the table.

@@ -1,6 +1,7 @@
 #include "FoamSim/sheet/circulation.h"
 
 #include <algorithm>
+#include <boost/container/flat_map.hpp>
 #include <optional>
 
 namespace foamsim {
@@ -21,6 +22,21 @@ auto find(Values& values, RegionPair pair) {
 std::optional<double> value_of(const CirculationField::VertexValues& values, RegionPair pair) {
   const auto it = find(values, pair);
   return it != values.end() && it->pair == pair ? std::optional(it->value) : std::nullopt;
+}
+
+// Mean of Γ^{pr} + Γ^{rq} over the regions r for which both are held; 0 where there is none.
+double sum_over_regions_between(const CirculationField::VertexValues& values, RegionPair pq) {
+  double sum = 0;
+  int ways = 0;
+  for (const PairCirculation& held : values) {
+    if ((held.pair.low == pq.low) == (held.pair.high == pq.low)) continue;
+    const lostopos::Region between = held.pair.low == pq.low ? held.pair.high : held.pair.low;
+    const auto rest = between == pq.high ? std::nullopt : value_of(values, RegionPair(between, pq.high));
+    if (!rest) continue;
+    sum += RegionPair::sign({pq.low, between}) * held.value + RegionPair::sign({between, pq.high}) * *rest;
+    ++ways;
+  }
+  return ways > 0 ? sum / ways : 0.0;
 }
 
 boost::container::small_vector<RegionPair, 8> pairs_meeting_at(const SurfaceMesh& mesh, Vertex v) {
@@ -55,13 +71,31 @@ void CirculationField::set(Vertex v, Labels pq, double value) {
     values.insert(it, {pair, stored});
 }
 
-void CirculationField::interpolate(Vertex into, Vertex a, Vertex b, double t) {
-  VertexValues mixed = values_[a];
-  for (PairCirculation& held : mixed)
-    if (const auto other = value_of(values_[b], held.pair)) held.value = (1 - t) * held.value + t * *other;
-  for (const PairCirculation& held : values_[b])
-    if (const auto it = find(mixed, held.pair); it == mixed.end() || it->pair != held.pair) mixed.insert(it, held);
-  values_[into] = std::move(mixed);
+CirculationField::VertexValues CirculationField::mean(const lostopos::Place& place) const {
+  if (place.count == 1) return values_[place.vertices[0]];
+  struct Sum {
+    double value = 0, weight = 0;
+  };
+  boost::container::flat_map<RegionPair, Sum> sums;
+  for (std::size_t i = 0; i < place.count; ++i)
+    for (const PairCirculation& held : values_[place.vertices[i]]) {
+      if (!(place.weights[i] > 0)) continue;
+      Sum& sum = sums[held.pair];
+      sum.value += place.weights[i] * held.value;
+      sum.weight += place.weights[i];
+    }
+  VertexValues result;
+  for (const auto& [pair, sum] : sums) result.push_back({pair, sum.value / sum.weight});
+  return result;
+}
+
+void CirculationField::add_missing(const SurfaceMesh& mesh, Vertex v, const VertexValues& values) {
+  const auto pairs = pairs_meeting_at(mesh, v);
+  VertexValues& own = values_[v];
+  for (const PairCirculation& given : values) {
+    if (!std::ranges::binary_search(pairs, given.pair)) continue;
+    if (const auto it = find(own, given.pair); it == own.end() || it->pair != given.pair) own.insert(it, given);
+  }
 }
 
 void CirculationField::match(const SurfaceMesh& mesh) {
@@ -80,14 +114,14 @@ void CirculationField::match(const SurfaceMesh& mesh, std::span<const Vertex> ve
     VertexValues matched;
     for (RegionPair pair : pairs) {
       const auto own = value_of(values_[v], pair);
-      matched.push_back({pair, own ? *own : mean_of_neighbours(mesh, v, pair)});
+      matched.push_back({pair, own ? *own : value_of_new_pair(mesh, v, pair)});
     }
     changed.emplace_back(v, std::move(matched));
   }
   for (auto& [v, values] : changed) values_[v] = std::move(values);
 }
 
-double CirculationField::mean_of_neighbours(const SurfaceMesh& mesh, Vertex v, RegionPair pair) const {
+double CirculationField::value_of_new_pair(const SurfaceMesh& mesh, Vertex v, RegionPair pair) const {
   double sum = 0;
   int holders = 0;
   for (Edge e : mesh.edges(v))
@@ -95,7 +129,7 @@ double CirculationField::mean_of_neighbours(const SurfaceMesh& mesh, Vertex v, R
       sum += *near;
       ++holders;
     }
-  return holders > 0 ? sum / holders : 0.0;
+  return holders > 0 ? sum / holders : sum_over_regions_between(values_[v], pair);
 }
 
 std::size_t CirculationField::memory_bytes() const {
@@ -103,6 +137,16 @@ std::size_t CirculationField::memory_bytes() const {
   for (const VertexValues& values : values_.slots())
     if (values.capacity() > VertexValues::static_capacity) bytes += values.capacity() * sizeof(PairCirculation);
   return bytes;
+}
+
+CirculationField::VertexValues interpolate(const CirculationField::VertexValues& a,
+                                           const CirculationField::VertexValues& b, double t) {
+  CirculationField::VertexValues mixed = a;
+  for (PairCirculation& held : mixed)
+    if (const auto other = value_of(b, held.pair)) held.value = (1 - t) * held.value + t * *other;
+  for (const PairCirculation& held : b)
+    if (const auto it = find(mixed, held.pair); it == mixed.end() || it->pair != held.pair) mixed.insert(it, held);
+  return mixed;
 }
 
 std::array<double, 3> corner_circulation(const SurfaceMesh& mesh, const CirculationField& circulation, Triangle t) {

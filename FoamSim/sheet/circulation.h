@@ -5,6 +5,7 @@
 
 #include "FoamSim/sheet/region_pair.h"
 #include "LosTopos/mesh/surface_mesh.h"
+#include "LosTopos/remeshing/operation_events.h"
 
 namespace foamsim {
 
@@ -32,12 +33,17 @@ class CirculationField {
   std::span<const PairCirculation> at(lostopos::Vertex v) const { return {values_[v].data(), values_[v].size()}; }
   std::span<PairCirculation> at(lostopos::Vertex v) { return {values_[v].data(), values_[v].size()}; }
 
-  /// Writes to `into` the pairs of a and b: (1 − t) Γ_a + t Γ_b where both hold one, else the value of the one that
-  /// does. `into` may be a or b.
-  void interpolate(lostopos::Vertex into, lostopos::Vertex a, lostopos::Vertex b, double t);
+  /// The mean of what the place's vertices hold: of each pair over those that hold it, by their weights.
+  VertexValues mean(const lostopos::Place& place) const;
+  /// Makes v hold these, sorted by pair.
+  void assign(lostopos::Vertex v, VertexValues values) { values_[v] = std::move(values); }
 
-  /// Makes every vertex hold exactly the pairs that have a triangle there: others are dropped, missing ones become the
-  /// mean of the neighbours that hold them, or 0 where none does. Call after the connectivity changed.
+  /// Gives v those of `values` for which it has a triangle but holds no value yet.
+  void add_missing(const lostopos::SurfaceMesh& mesh, lostopos::Vertex v, const VertexValues& values);
+
+  /// Makes every vertex hold exactly the pairs that have a triangle there: others are dropped. A missing one (p, q)
+  /// becomes the mean of the neighbours that hold it; where none does, Γ^{pr} + Γ^{rq} of the vertex itself, averaged
+  /// over the regions r between (jumps of the potential add up); else 0. Call after the connectivity changed.
   void match(const lostopos::SurfaceMesh& mesh);
   /// The same for these vertices only.
   void match(const lostopos::SurfaceMesh& mesh, std::span<const lostopos::Vertex> vertices);
@@ -46,10 +52,14 @@ class CirculationField {
   std::size_t memory_bytes() const;
 
  private:
-  double mean_of_neighbours(const lostopos::SurfaceMesh& mesh, lostopos::Vertex v, RegionPair pair) const;
+  double value_of_new_pair(const lostopos::SurfaceMesh& mesh, lostopos::Vertex v, RegionPair pair) const;
 
   lostopos::VertexAttribute<VertexValues> values_;
 };
+
+/// For each pair (1 − t) a + t b, or the value of the one that holds it.
+CirculationField::VertexValues interpolate(const CirculationField::VertexValues& a,
+                                           const CirculationField::VertexValues& b, double t);
 
 /// Γ^{pq} at the three corners of t, for t's own labels (p, q).
 std::array<double, 3> corner_circulation(const lostopos::SurfaceMesh& mesh, const CirculationField& circulation,

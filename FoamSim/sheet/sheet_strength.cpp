@@ -5,16 +5,19 @@
 
 #include <Eigen/Geometry>
 
+#include "FoamSim/sheet/surface_geometry.h"
+
 namespace foamsim {
 
 using lostopos::Triangle;
 using lostopos::Vec3;
 
 void gather_sheet(const lostopos::SurfaceMesh& mesh, const CirculationField& circulation,
-                  std::vector<SheetTriangle>& sheet) {
+                  std::vector<SheetTriangle>& sheet, std::span<const char> held) {
   sheet.clear();
   sheet.reserve(mesh.triangle_count());
-  for (Triangle t : mesh.triangles()) sheet.push_back({t, mesh.vertices(t), {}});
+  for (Triangle t : mesh.triangles())
+    if (!is_solid(mesh, t, held)) sheet.push_back({t, mesh.vertices(t), {}});
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sheet.size(), 512),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i)

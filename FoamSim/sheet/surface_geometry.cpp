@@ -79,9 +79,13 @@ double signed_dihedral_angle(const SurfaceMesh& mesh, Edge e, Region r, std::spa
   return std::atan2(along.cross(against).dot(direction), along.dot(against));
 }
 
-void SurfaceGeometry::update(const SurfaceMesh& mesh) {
+bool is_solid(const SurfaceMesh& mesh, Triangle t, std::span<const char> held) {
+  return !held.empty() && std::ranges::all_of(mesh.vertices(t), [held](Vertex v) { return held[v.index()] != 0; });
+}
+
+void SurfaceGeometry::update(const SurfaceMesh& mesh, std::span<const char> held) {
   list_regions(mesh);
-  measure_triangles(mesh);
+  measure_triangles(mesh, held);
   measure_edges(mesh);
 }
 
@@ -105,7 +109,7 @@ void SurfaceGeometry::list_regions(const SurfaceMesh& mesh) {
   });
 }
 
-void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh) {
+void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh, std::span<const char> held) {
   areas_.assign(mesh.triangle_slots(), 0.0);
   normals_.resize(mesh.triangle_slots());
   for_each_living<Triangle>(mesh, mesh.triangle_slots(), [&](Triangle t) {
@@ -114,7 +118,8 @@ void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh) {
     normals_[t.index()] = areas_[t.index()] > 0 ? Vec3(vector / areas_[t.index()]) : Vec3(Vec3::Zero());
   });
   total_area_ = 0;
-  for (double area : areas_) total_area_ += area;
+  for (Triangle t : mesh.triangles())
+    if (!is_solid(mesh, t, held)) total_area_ += areas_[t.index()];
 }
 
 void SurfaceGeometry::measure_edges(const SurfaceMesh& mesh) {

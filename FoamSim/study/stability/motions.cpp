@@ -17,6 +17,7 @@ Scene scene_for(const CaseSetup& setup) {
   Scene scene = built_in_scene("doublebubble");
   scene.options.set("area", setup.area, "stability study");
   scene.options.set("remeshing.enabled", setup.remeshing, "stability study");
+  scene.options.set("topology.enabled", setup.remeshing, "stability study");
   return scene;
 }
 
@@ -55,8 +56,7 @@ class PrescribedMotion final : public CaseMotion {
     const auto positions = mesh().positions();
     predicted_.assign(positions.begin(), positions.end());
     for (lostopos::Vertex v : mesh().vertices()) predicted_[v.index()] = flow_(mesh().position(v));
-    tracker_.advance(predicted_);
-    tracker_.remesh();
+    totals_.add(tracker_.step(predicted_).topology);
     ++steps_;
     return measured();
   }
@@ -78,6 +78,7 @@ class PrescribedMotion final : public CaseMotion {
     m.angle_outer_mean_deg = angles.outer_mean_deg;
     m.volume_drift_max = largest_volume_drift(m.volumes, start_volumes_);
     m.triangle_angle_min_deg = smallest_triangle_angle(mesh());
+    m.topology_totals = totals_;
     return m;
   }
 
@@ -86,6 +87,7 @@ class PrescribedMotion final : public CaseMotion {
   std::function<Vec3(const Vec3&)> flow_;
   std::vector<lostopos::RegionVolume> start_volumes_;
   std::vector<Vec3> predicted_;
+  TopologyTotals totals_;
   long steps_ = 0;
 };
 
@@ -96,7 +98,7 @@ std::unique_ptr<CaseMotion> simulated(const CaseSetup& setup, SurfaceMesh mesh, 
   scene.options.set("dt", options.dt, "stability study");
   scene.options.set("sigma", options.sigma, "stability study");
   const double resolution = options.resolution > 0 ? options.resolution : lostopos::mean_edge_length(mesh);
-  Simulation simulation = make_simulation(scene, std::move(mesh), resolution);
+  Simulation simulation = make_simulation(scene, std::move(mesh), resolution, {});
   if (options.circulation) options.circulation(simulation.mesh(), simulation.circulation());
   return std::make_unique<SimulatedMotion>(std::move(simulation));
 }

@@ -97,6 +97,11 @@ TEST(Options, EachOneHasAnEffect) {
       {"n", "run doublebubble --set n=17"},
       {"mode", "run sphere --set mode=2"},
       {"amplitude", "run sphere --set mode=2 --set amplitude=0.05"},
+      {"gap", "run twobubbles --set n=1 --set gap=0.3"},
+      {"speed", "run twobubbles --set n=1 --set speed=0.1"},
+      {"spheres", "run foaminit --set spheres=3"},
+      {"layout", "run foaminit --set layout=random"},
+      {"displacement", "run quadjunction --set n=2 --set displacement=0.1"},
       {"dt", "run doublebubble --set dt=0.005"},
       {"time", "run doublebubble --set time=0.02"},
       {"resolution", "run doublebubble --set resolution=0.5"},
@@ -126,6 +131,7 @@ TEST(Options, EachOneHasAnEffect) {
       {"phi", "run doublebubble --set area=constant-edge --set phi=0.9"},
       {"damping", "run doublebubble --set effects+=damping --set damping=0.1"},
       {"diffusion", "run doublebubble --set diffusion=1"},
+      {"growth", "run foaminit --set growth=1"},
   };
   auto outcome = [](const std::string& command) {
     const ScratchFolder scratch;
@@ -152,17 +158,23 @@ TEST(Options, EachOneHasAnEffect) {
   const std::string finer = outcome("run sphere --set remeshing.longest_edge=1.05");
   const std::string mode = outcome("run sphere --set mode=2"),
                     constant_edge = outcome("run doublebubble --set area=constant-edge");
+  const std::string two_bubbles = outcome("run twobubbles --set n=1"), foam = outcome("run foaminit"),
+                    junction = outcome("run quadjunction --set n=2");
   for (const OptionSpec& spec : scene_option_specs()) {
     const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
-    if (spec.key.starts_with("tracker.")) continue;  // seen where films collide: TrackerOptionsOfScenes
+    if (spec.key.starts_with("tracker.")) continue;   // seen where films collide: TrackerOptionsOfScenes
+    if (spec.key.starts_with("topology.")) continue;  // seen where films meet: TopologyOptionsOfScenes
     ASSERT_NE(it, changes.end()) << spec.key << " has no case here";
     if (spec.key == "checkpoint_every") continue;  // seen by an interrupted run only: InterruptedRun.CanBeResumed
-    const std::string& base = spec.key == "mode"                          ? sphere
-                              : spec.key == "amplitude"                   ? mode
-                              : spec.key == "phi"                         ? constant_edge
-                              : spec.key == "remeshing.butterfly"         ? finer
-                              : spec.key == "remeshing.max_volume_change" ? curved
-                                                                          : double_bubble;
+    const std::string& base = spec.key == "mode"                                                      ? sphere
+                              : spec.key == "amplitude"                                               ? mode
+                              : spec.key == "phi"                                                     ? constant_edge
+                              : spec.key == "gap" || spec.key == "speed"                              ? two_bubbles
+                              : spec.key == "spheres" || spec.key == "layout" || spec.key == "growth" ? foam
+                              : spec.key == "displacement"                                            ? junction
+                              : spec.key == "remeshing.butterfly"                                     ? finer
+                              : spec.key == "remeshing.max_volume_change"                             ? curved
+                                                                                                      : double_bubble;
     EXPECT_TRUE(outcome(it->second) != base) << spec.key;
   }
 }
@@ -221,7 +233,9 @@ TEST(RunCommand, StartsFromAMeshFileAndAReferenceOptionFile) {
             0);
   std::ofstream(scratch / "old.txt")
       << "scene doublebubble\ntime-step 0.02 # seconds\nsimulation-time 0.4\nmesh-size-n 24\n"
-         "RK4-velocity-integration 1\nsmoothing-coef 5\nlooped 0\n";
+         "RK4-velocity-integration 1\nsmoothing-coef 5\nlooped 0\n"
+         "lostopos-allow-topology-changes 1\nlostopos-t1-transition-enabled 0\n"
+         "lostopos-t1-pull-apart-distance-fraction 0.05\nlostopos-merge-proximity-epsilon-fraction 0.02\n";
   const ProgramResult old = run_foamsim("run " + (scratch / "old.txt") + " --out " + (scratch / "old"));
   ASSERT_EQ(old.exit_code, 0) << old.error;
   EXPECT_NE(old.error.find("looped"), std::string::npos) << "what has no meaning here has to be named";
@@ -230,6 +244,10 @@ TEST(RunCommand, StartsFromAMeshFileAndAReferenceOptionFile) {
   EXPECT_EQ(run["options"]["n"], 24);
   EXPECT_EQ(run["options"]["integrator"], "rk4");
   EXPECT_EQ(run["options"]["diffusion"], 5.0);
+  EXPECT_EQ(run["options"]["topology.enabled"], true);
+  EXPECT_EQ(run["options"]["topology.separate"], false);
+  EXPECT_EQ(run["options"]["topology.pull_apart"], 0.05);
+  EXPECT_EQ(run["options"]["topology.merge_distance"], 0.02);
   EXPECT_EQ(run["last_step"], 10) << "its clock runs twice as fast";
 }
 

@@ -29,11 +29,26 @@ TEST(VolumeDrift, IsTheLargestOfAllRegionsButTheAir) {
   EXPECT_EQ(largest_volume_drift({{air, -5.5}, {Region(1), 2}, {Region(5), 3.5}}, start), 0.125);
 }
 
-TEST(VolumeDrift, OfARegionThatVanishedIsOne) {
+TEST(VolumeDrift, LeavesOutRegionsThatCameOrVanished) {
   const std::vector<RegionVolume> start{{air, -6}, {Region(1), 2}, {Region(5), 4}};
-  EXPECT_EQ(largest_volume_drift({{air, -2}, {Region(1), 2}}, start), 1);
+  EXPECT_EQ(largest_volume_drift({{air, -2}, {Region(1), 2.5}}, start), 0.25) << "region 5 has vanished by design";
   EXPECT_EQ(largest_volume_drift({{air, -2}, {Region(1), 2}, {Region(5), 4}, {Region(6), 1}}, start), 0)
       << "a new region has nothing to compare with";
+}
+
+TEST(ClosedRegionVolumes, LeaveOutRegionsThatAnOpenFilmBounds) {
+  const SurfaceMesh bubble = lostopos::test::corner_tetrahedron(1);
+  const auto closed = closed_region_volumes(bubble);
+  ASSERT_EQ(closed.size(), 2U);
+  EXPECT_NEAR(closed[1].volume, 1.0 / 6, 1e-15);
+  // A film between regions 3 and 4 beside it, with free edges.
+  SurfaceMesh mesh = lostopos::test::corner_tetrahedron(1);
+  const Vertex a = mesh.add_vertex({5, 0, 0}), b = mesh.add_vertex({6, 0, 0}), c = mesh.add_vertex({5, 1, 0});
+  mesh.add_triangle(a, b, c, {Region(3), Region(4)});
+  const auto volumes = closed_region_volumes(mesh);
+  ASSERT_EQ(volumes.size(), 2U);
+  EXPECT_EQ(volumes[1].region, Region(1));
+  EXPECT_NEAR(volumes[1].volume, 1.0 / 6, 1e-14);
 }
 
 TEST(SmallestTriangleAngle, OfKnownTriangles) {

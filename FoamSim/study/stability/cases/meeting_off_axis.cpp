@@ -47,7 +47,7 @@ std::vector<CaseRun> runs(const CaseSetup& setup) {
 }
 
 Verdict judge(std::span<const Trajectory> t) {
-  const long joined = t[0].samples.empty() ? 0 : t[0].samples.back().snap_count;
+  const long joined = t[0].samples.empty() ? 0 : t[0].samples.back().topology_totals.snaps;
   return Judgement()
       .require_physics(t[0])
       .require(joined > 0, "the bubbles have not joined: no snap")

@@ -16,7 +16,8 @@ std::vector<CaseRun> runs(const CaseSetup& setup) {
 Verdict judge(std::span<const Trajectory> t) {
   return Judgement()
       .require_physics(t[0])
-      .set_figure("T1s", t[0].samples.empty() ? 0.0 : static_cast<double>(t[0].samples.back().t1_count))
+      .set_figure("T1s",
+                  t[0].samples.empty() ? 0.0 : static_cast<double>(t[0].samples.back().topology_totals.separations))
       .verdict();
 }
 

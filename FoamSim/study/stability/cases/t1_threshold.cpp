@@ -17,8 +17,8 @@ std::vector<CaseRun> runs(const CaseSetup& setup) {
 
 Verdict judge(std::span<const Trajectory> t) {
   const auto& samples = t[0].samples;
-  const long all = samples.empty() ? 0 : samples.back().t1_count;
-  const long late = samples.empty() ? 0 : all - samples[samples.size() / 2].t1_count;
+  const long all = samples.empty() ? 0 : samples.back().topology_totals.separations;
+  const long late = samples.empty() ? 0 : all - samples[samples.size() / 2].topology_totals.separations;
   return Judgement()
       .require_physics(t[0])
       .require(all > 0, "four films stay at one line: no T1")

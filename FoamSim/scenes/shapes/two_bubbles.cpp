@@ -1,0 +1,44 @@
+#include "FoamSim/scenes/shapes/two_bubbles.h"
+
+#include "LosTopos/shapes/solids.h"
+
+namespace foamsim {
+
+using lostopos::air;
+using lostopos::Region;
+using lostopos::SurfaceMesh;
+using lostopos::Triangle;
+using lostopos::Vec3;
+using lostopos::Vertex;
+
+SurfaceMesh two_bubbles(long n, double gap) {
+  const SurfaceMesh unit = lostopos::icosphere(n);
+  SurfaceMesh mesh;
+  mesh.reserve(2 * unit.vertex_count(), 2 * unit.triangle_count());
+  for (int side : {-1, 1}) {
+    const std::size_t first = mesh.vertex_slots();
+    for (Vertex v : unit.vertices()) {
+      const Vec3& x = unit.position(v);
+      mesh.add_vertex({side * (x.x() + 1 + gap / 2), x.y(), x.z()});
+    }
+    const Region inside(side < 0 ? 1 : 2);
+    for (Triangle t : unit.triangles()) {
+      const auto& [a, b, c] = unit.vertices(t);
+      // The mirror image has its normals inwards.
+      mesh.add_triangle(Vertex(first + a.index()), Vertex(first + b.index()), Vertex(first + c.index()),
+                        side > 0 ? lostopos::Labels{inside, air} : lostopos::Labels{air, inside});
+    }
+  }
+  return mesh;
+}
+
+void approach(const SurfaceMesh& mesh, double gap, double speed, CirculationField& circulation) {
+  for (Vertex v : mesh.vertices()) {
+    const double x = mesh.position(v).x();
+    const int side = x < 0 ? -1 : 1;
+    const double from_centre = x - side * (1 + gap / 2);
+    circulation.set(v, {Region(side < 0 ? 1 : 2), air}, -0.75 * (-side * speed) * from_centre);
+  }
+}
+
+}  // namespace foamsim

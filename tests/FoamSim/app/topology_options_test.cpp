@@ -1,0 +1,196 @@
+// Runs in which films meet, part and vanish: the options that say how, events.csv, and resumed runs.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "FoamSim/scenes/scene.h"
+#include "program.h"
+
+namespace foamsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+std::vector<Row> rows_of(const std::string& file) {
+  std::istringstream in(read_file(file));
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> header = cells_of(line);
+  std::vector<Row> rows;
+  while (std::getline(in, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    EXPECT_EQ(cells.size(), header.size()) << line;
+    Row& row = rows.emplace_back();
+    for (std::size_t i = 0; i < std::min(cells.size(), header.size()); ++i) row[header[i]] = cells[i];
+  }
+  return rows;
+}
+
+// Everything but wall times.
+std::string repeatable(const std::string& metrics_file) {
+  std::string text;
+  for (const Row& row : rows_of(metrics_file))
+    for (const auto& [column, cell] : row)
+      if (!column.ends_with("_seconds")) text += column + "=" + cell + "\n";
+  return text;
+}
+
+const std::string growing = "foaminit --set layout=random --set spheres=4 --set growth=2 --set frame_every=0";
+
+void run(const std::string& scene, const std::string& folder) {
+  const ProgramResult result = run_foamsim("run " + scene + " --quiet --out " + folder);
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+}
+
+TEST(EventsTable, HasARowForEveryChangeThatTheMetricsCount) {
+  const ScratchFolder scratch;
+  run(growing + " --steps 14", scratch / "run");
+  EXPECT_TRUE(read_file(scratch / "run/events.csv").starts_with("step,time,kind,regions,x,y,z\n"));
+  std::map<std::string, long> count;
+  long last_step = 0;
+  for (const Row& event : rows_of(scratch / "run/events.csv")) {
+    ++count[event.at("kind")];
+    const long step = std::stol(event.at("step"));
+    EXPECT_LE(last_step, step);
+    last_step = step;
+    EXPECT_NEAR(std::stod(event.at("time")), 0.01 * static_cast<double>(step), 1e-12);
+    std::istringstream regions(event.at("regions"));
+    int among = 0;
+    for (int region = 0; regions >> region; ++among) EXPECT_TRUE(region >= 0 && region <= 4);
+    EXPECT_GE(among, 2) << event.at("regions");
+    for (const char* axis : {"x", "y", "z"}) EXPECT_LT(std::abs(std::stod(event.at(axis))), 5);
+  }
+  const Row end = rows_of(scratch / "run/metrics.csv").back();
+  EXPECT_GT(count["snap"], 20);
+  EXPECT_GT(count["separation"], 5);
+  EXPECT_EQ(std::stol(end.at("snap_count")), count["snap"]);
+  EXPECT_EQ(std::stol(end.at("t1_count")), count["separation"]);
+  EXPECT_EQ(std::stol(end.at("edge_merges")), count["edge_merge"]);
+  EXPECT_EQ(std::stol(end.at("region_collapses")), count["region_collapse"]);
+  EXPECT_GT(std::stol(end.at("cancelled_triangles")), 0);
+  const json summary = json::parse(read_file(scratch / "run/run.json"))["topology"];
+  EXPECT_EQ(summary["snap"]["done"], count["snap"]);
+  EXPECT_EQ(summary["separation"]["done"], count["separation"]);
+}
+
+TEST(EventsTable, IsNotMadeWhereTheTopologyStays) {
+  const ScratchFolder scratch;
+  run("doublebubble --steps 1", scratch / "run");
+  EXPECT_FALSE(fs::exists(scratch.path() / "run/events.csv"));
+}
+
+TEST(EventsTable, ExplainPrintsOperationsAndRefusals) {
+  const ScratchFolder scratch;
+  const std::string out = run_foamsim("run " + growing + " --steps 8 --explain --quiet --out " + (scratch / "run")).out;
+  for (const char* word : {"snap ", "edge_merge ", "separation ", "region_collapse ", "cancelled", "refused:"})
+    EXPECT_NE(out.find(word), std::string::npos) << word;
+}
+
+// `early` steps, then on to `late`, twice from the same point: what was written behind it before is written anew.
+void expect_same_bits_when_resumed(const std::string& scene, long early, long late) {
+  const ScratchFolder scratch;
+  const std::string last = " --steps " + std::to_string(late);
+  run(scene + last, scratch / "whole");
+  run(scene + " --steps " + std::to_string(early), scratch / "parts");
+  fs::copy_file(scratch / "parts/checkpoint.cbor", scratch / "parts/early.cbor");
+  for (const char* checkpoint : {"checkpoint.cbor", "early.cbor"}) {
+    const ProgramResult result = run_foamsim("run --resume " + (scratch / "parts/") + checkpoint + last);
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+    const std::string frame = "frames/frame_0000" + std::to_string(late) + ".ply";
+    EXPECT_EQ(read_file(scratch / ("parts/" + frame)), read_file(scratch / ("whole/" + frame)));
+    EXPECT_EQ(read_file(scratch / "parts/events.csv"), read_file(scratch / "whole/events.csv"));
+    EXPECT_EQ(repeatable(scratch / "parts/metrics.csv"), repeatable(scratch / "whole/metrics.csv"));
+  }
+  std::map<bool, int> events;  // before and after the break
+  for (const Row& event : rows_of(scratch / "whole/events.csv")) ++events[std::stol(event.at("step")) > early];
+  EXPECT_GT(events[false], 3);
+  EXPECT_GT(events[true], 3);
+}
+
+TEST(InterruptedRun, WithTopologyCanBeResumedToTheSameBits) {
+  expect_same_bits_when_resumed(growing, 9, 13);
+  expect_same_bits_when_resumed("twobubbles --set n=2 --set gap=0.04", 45, 60);
+}
+
+TEST(InterruptedRun, KeepsTheFrameThatHoldsItsFilms) {
+  const ScratchFolder scratch;
+  run("quadjunction --set n=2 --steps 20", scratch / "whole");
+  run("quadjunction --set n=2 --steps 8", scratch / "parts");
+  ASSERT_EQ(run_foamsim("run --resume " + (scratch / "parts/checkpoint.cbor") + " --steps 20").exit_code, 0);
+  EXPECT_EQ(read_file(scratch / "parts/frames/frame_000020.ply"), read_file(scratch / "whole/frames/frame_000020.ply"));
+}
+
+TEST(TopologyOptionsOfScenes, ManyThreadsGiveTheBitsOfOne) {
+  const ScratchFolder scratch;
+  run(growing + " --steps 14 --threads 1", scratch / "one");
+  run(growing + " --steps 14 --threads 2", scratch / "two");
+  EXPECT_EQ(read_file(scratch / "one/frames/frame_000014.ply"), read_file(scratch / "two/frames/frame_000014.ply"));
+  EXPECT_EQ(read_file(scratch / "one/events.csv"), read_file(scratch / "two/events.csv"));
+}
+
+// Where nothing meets, looking for what meets changes nothing.
+TEST(TopologyOptionsOfScenes, LeaveAQuietSurfaceAlone) {
+  const ScratchFolder scratch;
+  run("doublebubble --steps 60 --set topology.enabled=true", scratch / "on");
+  run("doublebubble --steps 60", scratch / "off");
+  EXPECT_EQ(read_file(scratch / "on/frames/frame_000060.ply"), read_file(scratch / "off/frames/frame_000060.ply"));
+  EXPECT_EQ(read_file(scratch / "on/events.csv"), "step,time,kind,regions,x,y,z\n");
+}
+
+// What a run leaves: its last surface, and how often each thing happened.
+struct Outcome {
+  std::string frame;
+  Row end;
+  long count(const char* column) const { return std::stol(end.at(column)); }
+};
+
+Outcome outcome_of(const std::string& assignment) {
+  const ScratchFolder scratch;
+  run(growing + " --steps 14" + (assignment.empty() ? "" : " --set " + assignment), scratch / "run");
+  return {read_file(scratch / "run/frames/frame_000014.ply"), rows_of(scratch / "run/metrics.csv").back()};
+}
+
+TEST(TopologyOptionsOfScenes, EachOneHasItsEffect) {
+  const Outcome base = outcome_of("");
+  const std::map<std::string, std::string> changed{
+      {"topology.enabled", "false"},      {"topology.snap", "false"},
+      {"topology.separate", "false"},     {"topology.merge_distance", "0.2"},
+      {"topology.pull_apart", "0.05"},    {"topology.longest_motion", "0.05"},
+      {"topology.max_sweeps", "1"},       {"topology.smallest_region", "12"},
+      {"topology.collapse_regions", "-"},  // below
+  };
+  std::map<std::string, Outcome> outcomes;
+  for (const OptionSpec& spec : scene_option_specs()) {
+    if (!spec.key.starts_with("topology.")) continue;
+    ASSERT_TRUE(changed.contains(spec.key)) << spec.key << " has no case here";
+    if (changed.at(spec.key) == "-") continue;
+    outcomes[spec.key] = outcome_of(spec.key + "=" + changed.at(spec.key));
+    EXPECT_NE(outcomes[spec.key].frame, base.frame) << spec.key;
+  }
+  EXPECT_EQ(outcomes["topology.enabled"].count("snap_count"), 0);
+  EXPECT_EQ(outcomes["topology.snap"].count("snap_count"), 0);
+  EXPECT_EQ(outcomes["topology.separate"].count("t1_count"), 0);
+  EXPECT_GT(outcomes["topology.separate"].count("incomplete_vertices"), 0);
+  EXPECT_EQ(base.count("regions"), 5);
+  const Outcome& collapsed = outcomes["topology.smallest_region"];
+  EXPECT_GT(collapsed.count("region_collapses"), 0);
+  EXPECT_EQ(collapsed.count("regions"), 5 - collapsed.count("region_collapses"));
+  const Outcome kept = outcome_of("topology.smallest_region=12 --set topology.collapse_regions=false");
+  EXPECT_EQ(kept.count("regions"), 5);
+}
+
+}  // namespace
+}  // namespace foamsim::test

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/topology/region_parts.h"
 
 namespace lostopos {
 namespace {
@@ -64,16 +64,6 @@ std::array<Site, 2> sites_of(const SurfaceMesh& mesh, const NearPair& near) {
 bool has_room(const SurfaceMesh& mesh, const Site& site, double room) {
   return site.vertex.valid() ||
          std::ranges::all_of(site.vertices(), [&](Vertex v) { return (mesh.position(v) - site.point).norm() >= room; });
-}
-
-/// The triangles on the boundary of each region, regions ascending.
-std::map<Region, std::vector<Triangle>> boundaries(const SurfaceMesh& mesh) {
-  std::map<Region, std::vector<Triangle>> result;
-  for (Triangle t : mesh.triangles()) {
-    result[mesh.labels(t).p].push_back(t);
-    result[mesh.labels(t).q].push_back(t);
-  }
-  return result;
 }
 
 }  // namespace
@@ -207,8 +197,11 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
     boundary.clear();
     for (Vertex v : corners) {
       if (!c_.mesh.alive(v)) continue;
-      for (Triangle t : c_.mesh.triangles(v))
-        if (c_.mesh.labels(t).has(region)) boundary.push_back(t);
+      for (Triangle t : c_.mesh.triangles(v)) {
+        const bool of_part = std::ranges::all_of(
+            c_.mesh.vertices(t), [&](Vertex corner) { return std::ranges::binary_search(corners, corner); });
+        if (of_part && c_.mesh.labels(t).has(region)) boundary.push_back(t);
+      }
     }
     sort_unique(boundary);
   }
@@ -219,22 +212,13 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
 void TopologyPass::collapse_small_regions() {
   const Stopwatch watch(statistics_[TopologyOperation::region_collapse].seconds);
   const double largest = options_.smallest_region * c_.options.target_edge;
-  for (auto& [region, boundary] : boundaries(c_.mesh)) {
-    if (region == air) continue;
-    std::erase_if(boundary, [this](Triangle t) { return !c_.mesh.alive(t); });
-    if (boundary.empty()) continue;
-    Box box = triangle_box(c_.mesh, boundary.front(), c_.mesh.positions(), 0);
-    std::vector<Region> regions{};
-    for (Triangle t : boundary) {
-      const Box of_triangle = triangle_box(c_.mesh, t, c_.mesh.positions(), 0);
-      box = {box.low.cwiseMin(of_triangle.low), box.high.cwiseMax(of_triangle.high)};
-      regions.push_back(c_.mesh.labels(t).p == region ? c_.mesh.labels(t).q : c_.mesh.labels(t).p);
-    }
-    if (!((box.high - box.low).norm() < largest)) continue;
-    sort_unique(regions);
-    regions.insert(regions.begin(), region);
-    const Vec3 centre = 0.5 * (box.low + box.high);
-    if (collapse_region(region, boundary)) note(TopologyOperation::region_collapse, std::move(regions), centre);
+  for (RegionPart& part : small_region_parts(c_.mesh, largest)) {
+    std::erase_if(part.boundary, [&](Triangle t) { return !c_.mesh.alive(t) || !c_.mesh.labels(t).has(part.region); });
+    if (part.boundary.empty()) continue;
+    std::vector<Region> regions = part.neighbours;
+    regions.insert(regions.begin(), part.region);
+    if (collapse_region(part.region, part.boundary))
+      note(TopologyOperation::region_collapse, std::move(regions), part.centre);
   }
 }
 

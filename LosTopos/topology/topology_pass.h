@@ -18,7 +18,7 @@ class TopologyPass {
   TopologyPass(RemeshContext& context, const TopologyOptions& options, VertexSeparation::Flow flow,
                TopologyStatistics& statistics);
 
-  void collapse_small_regions();  ///< regions that fit into a small box vanish, smallest first
+  void collapse_small_regions();  ///< parts of regions that fit into a small box vanish
   void merge_short_edges();       ///< shortest first; those that an edge collapse must leave, because films would meet
   void snap_near_places();        ///< nearest first
   void separate_vertices();       ///< in order of handles; both results are looked at again
@@ -26,7 +26,6 @@ class TopologyPass {
   void count_what_is_left();
 
  private:
-  struct Link;
   void note(TopologyOperation kind, std::vector<Region> regions, const Vec3& position);
   std::optional<Refusal> snap(const NearPair& near);
   bool collapse_region(Region region, std::vector<Triangle> boundary);

@@ -25,9 +25,9 @@ class StabilityCases : public testing::TestWithParam<std::string> {
   // One motion for each of the case's runs that its criterion passes: quiet ones, changed to what the case asks for.
   std::vector<Trajectory> good() const {
     std::vector<Trajectory> all(runs(), quiet_trajectory());
-    if (GetParam() == "meeting") all[0].samples.back().snap_count = 3;
+    if (GetParam() == "meeting") all[0].samples.back().topology_totals.snaps = 3;
     if (GetParam() == "t1-threshold")
-      for (std::size_t i = 1; i < all[0].samples.size(); ++i) all[0].samples[i].t1_count = 7;
+      for (std::size_t i = 1; i < all[0].samples.size(); ++i) all[0].samples[i].topology_totals.separations = 7;
     if (GetParam() == "shrinking") all[0].samples.back().volumes = {{lostopos::air, -4.0}, {lostopos::Region(2), 4.0}};
     if (GetParam() == "scaled") {
       all[1] = scaled(all[1], 0x1p20);
@@ -97,9 +97,9 @@ TEST_P(StabilityCases, FailWhatTheyAreThereToFind) {
   if (name == "scaled" || name == "moved") {
     broken[1].end_positions[0].x() += 1e-5 * std::sqrt(broken[1].samples[0].area);
   } else if (name == "meeting") {
-    broken[0].samples.back().snap_count = 0;
+    broken[0].samples.back().topology_totals.snaps = 0;
   } else if (name == "t1-threshold") {
-    broken[0].samples.back().t1_count = 9;  // two of them late
+    broken[0].samples.back().topology_totals.separations = 9;  // two of them late
   } else if (name == "shrinking") {
     broken[0].samples.back().volumes = {{lostopos::air, -4.0}, {lostopos::Region(1), 1e-9}, {lostopos::Region(2), 4.0}};
   } else {

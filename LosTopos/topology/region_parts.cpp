@@ -1,0 +1,84 @@
+#include "LosTopos/topology/region_parts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <span>
+
+#include "LosTopos/collision/broad_phase.h"
+#include "LosTopos/mesh/measures.h"
+
+namespace lostopos {
+namespace {
+
+// Walks over the boundaries of regions, each side of each triangle once.
+class PartWalk {
+ public:
+  explicit PartWalk(const SurfaceMesh& mesh) : mesh_(mesh), seen_(2 * mesh.triangle_slots(), 0) {}
+
+  bool is_new(Triangle t, Region r) const { return seen_[side(t, r)] == 0; }
+
+  // Collects the part that t belongs to on its side towards r, and its box.
+  Box collect(Triangle t, Region r, std::vector<Triangle>& boundary) {
+    boundary.assign(1, t);
+    seen_[side(t, r)] = 1;
+    Box box = triangle_box(mesh_, t, mesh_.positions(), 0);
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+      for (Edge e : mesh_.edges(boundary[i])) {
+        for (Triangle u : mesh_.triangles(e)) {
+          if (!mesh_.labels(u).has(r) || seen_[side(u, r)] != 0) continue;
+          seen_[side(u, r)] = 1;
+          boundary.push_back(u);
+          const Box of_triangle = triangle_box(mesh_, u, mesh_.positions(), 0);
+          box = {box.low.cwiseMin(of_triangle.low), box.high.cwiseMax(of_triangle.high)};
+        }
+      }
+    }
+    return box;
+  }
+
+ private:
+  std::size_t side(Triangle t, Region r) const { return 2 * t.index() + (mesh_.labels(t).p == r ? 0 : 1); }
+
+  const SurfaceMesh& mesh_;
+  std::vector<char> seen_;
+};
+
+// Positive when r is inside the closed boundary (six times the volume, L³).
+double enclosed(const SurfaceMesh& mesh, std::span<const Triangle> boundary, Region r, const Vec3& origin) {
+  double sum = 0;
+  for (Triangle t : boundary) {
+    const auto [a, b, c] = corners(mesh, t);
+    const double volume = (a - origin).dot((b - origin).cross(Vec3(c - origin)));
+    sum += mesh.labels(t).p == r ? volume : -volume;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double largest) {
+  std::vector<RegionPart> parts;
+  PartWalk walk(mesh);
+  std::vector<Triangle> boundary;
+  for (Triangle t : mesh.triangles()) {
+    const Labels labels = mesh.labels(t);
+    for (Region r : {labels.p, labels.q}) {
+      if (!walk.is_new(t, r)) continue;
+      const Box box = walk.collect(t, r, boundary);
+      if (!((box.high - box.low).norm() < largest)) continue;
+      RegionPart part{r, boundary, {}, 0.5 * (box.low + box.high)};
+      // Seen from outside, a bubble's boundary is one of the region around it: that one is not small.
+      if (!(enclosed(mesh, boundary, r, part.centre) > 0)) continue;
+      std::ranges::sort(part.boundary);
+      for (Triangle u : boundary)
+        part.neighbours.push_back(mesh.labels(u).p == r ? mesh.labels(u).q : mesh.labels(u).p);
+      std::ranges::sort(part.neighbours);
+      const auto repeated = std::ranges::unique(part.neighbours);
+      part.neighbours.erase(repeated.begin(), repeated.end());
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+}  // namespace lostopos

@@ -42,8 +42,10 @@ std::vector<EffectEntry> make_entries() {
        make_surface_tension},
       {"damping",
        "circulation decays everywhere by the same factor",
-       {damping_option()},
-       [](const EffectSetup& setup) -> Made { return std::make_unique<Damping>(setup.options.number("damping")); }},
+       {damping_option(), non_negative_number("damping_from", 0, "time from which damping acts, T")},
+       [](const EffectSetup& setup) -> Made {
+         return std::make_unique<Damping>(setup.options.number("damping"), setup.options.number("damping_from"));
+       }},
       {"diffusion",
        "circulation is smoothed along each film",
        {non_negative_number("diffusion", 10, "rate s of smoothing of circulation, 1/T")},

@@ -48,6 +48,15 @@ TEST_F(DampingTest, DependsOnTheTimeNotOnTheNumberOfSteps) {
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i] / before[i], 0.49, 1e-14);
 }
 
+TEST_F(DampingTest, ActsInStepsThatBeginAtItsTimeOrLater) {
+  Damping damping(0.5, 3);
+  const auto before = values();
+  damping.update_circulation({mesh, geometry, 2.5, 1}, circulation);
+  EXPECT_EQ(values(), before);
+  damping.update_circulation({mesh, geometry, 3, 1}, circulation);
+  EXPECT_EQ(values().back(), before.back() / 2);
+}
+
 TEST_F(DampingTest, OfOneIsNone) {
   const auto before = values();
   Damping(1).update_circulation({mesh, geometry, 0, 0.02}, circulation);

@@ -29,13 +29,15 @@ std::string degrees(const std::optional<double>& angle) {
 }
 
 void print_table(const std::vector<ComparisonRow>& rows) {
-  std::printf("\n%-14s %12s %12s %14s %10s %9s %8s  %s\n", "strategy", "outer angle", "RMS dev.", "centroid drift",
-              "energy", "volume", "seconds", "ended");
-  std::printf("%-14s %12s %12s %14s %10s %9s %8s\n", "", "degrees", "degrees", "L", "L^5/T^2", "drift", "");
+  std::printf("\n%-14s %12s %12s %12s %14s %10s %9s %8s  %s\n", "strategy", "outer angle", "RMS dev.", "of films",
+              "centroid drift", "energy", "volume", "seconds", "ended");
+  std::printf("%-14s %12s %12s %12s %14s %10s %9s %8s\n", "", "degrees", "degrees", "degrees", "L", "L^5/T^2", "drift",
+              "");
   for (const ComparisonRow& row : rows)
-    std::printf("%-14s %12s %12s %14.5f %10.4f %8.2f%% %8.1f  %s at time %g\n", row.area.c_str(),
-                degrees(row.angle_outer_mean_deg).c_str(), degrees(row.angle_rms_deg).c_str(), row.centroid_drift,
-                row.energy, 100 * row.volume_drift_max, row.seconds, row.ended.c_str(), row.time);
+    std::printf("%-14s %12s %12s %12s %14.5f %10.4f %8.2f%% %8.1f  %s at time %g\n", row.area.c_str(),
+                degrees(row.angle_outer_mean_deg).c_str(), degrees(row.angle_rms_deg).c_str(),
+                degrees(row.angle_rms_film_deg).c_str(), row.centroid_drift, row.energy, 100 * row.volume_drift_max,
+                row.seconds, row.ended.c_str(), row.time);
 }
 
 // A row a strategy: the surface at the start, half way and at the end, all seen by one camera.

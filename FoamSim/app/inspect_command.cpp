@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "FoamSim/app/commands.h"
+#include "FoamSim/metrics/film_angles.h"
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/metrics/metrics.h"
 #include "LosTopos/io/mesh_file.h"
@@ -17,6 +18,7 @@ namespace {
 ordered_json inspect(const std::string& file) {
   const lostopos::SurfaceMesh mesh = lostopos::to_mesh(lostopos::read_surface(file));
   const JunctionAngles angles = junction_angles(mesh);
+  const FilmAngles films = film_angles(mesh);
   const lostopos::AuditReport audit = lostopos::audit(mesh);
   ordered_json volumes = ordered_json::object();
   for (const auto& [region, volume] : lostopos::region_volumes(mesh)) volumes[std::to_string(region.index())] = volume;
@@ -38,10 +40,14 @@ ordered_json inspect(const std::string& file) {
                       {"volumes", volumes},
                       {"angle_rms_deg", nullptr},
                       {"angle_outer_mean_deg", nullptr},
+                      {"angle_rms_film_deg", nullptr},
+                      {"angle_outer_mean_film_deg", nullptr},
                       {"audit", audit.clean() ? "clean" : "not clean"},
                       {"findings", findings}};
   if (angles.rms_deviation_deg) report["angle_rms_deg"] = *angles.rms_deviation_deg;
   if (angles.outer_mean_deg) report["angle_outer_mean_deg"] = *angles.outer_mean_deg;
+  if (films.rms_deviation_deg) report["angle_rms_film_deg"] = *films.rms_deviation_deg;
+  if (films.outer_mean_deg) report["angle_outer_mean_film_deg"] = *films.outer_mean_deg;
   return report;
 }
 

@@ -20,6 +20,7 @@ void print_summary(const RunOutcome& outcome) {
               std::string(name(outcome.end)).c_str(), m.step, m.time, m.triangles, m.area, m.energy,
               m.volume_drift_max);
   if (m.angle_rms_deg) std::printf("junction angles: RMS deviation from 120 degrees %.3f", *m.angle_rms_deg);
+  if (m.angle_rms_film_deg) std::printf(" (of the curved films %.3f)", *m.angle_rms_film_deg);
   if (m.angle_outer_mean_deg) std::printf(", mean outer angle %.3f degrees", *m.angle_outer_mean_deg);
   if (m.angle_rms_deg) std::printf("\n");
   if (!outcome.message.empty()) std::printf("%s\n", outcome.message.c_str());

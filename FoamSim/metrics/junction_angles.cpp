@@ -1,10 +1,10 @@
 #include "FoamSim/metrics/junction_angles.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "FoamSim/metrics/half_planes.h"
 
 namespace foamsim {
 
@@ -17,12 +17,7 @@ using lostopos::Vec3;
 
 namespace {
 
-struct HalfPlane {
-  double angle;         // about the edge, counter-clockwise
-  Region region_after;  // the region met when the turn goes on
-};
-
-// The three half-planes at an edge in the order of a turn about it.
+// The three half-planes at an edge.
 std::array<HalfPlane, 3> half_planes(const SurfaceMesh& mesh, Edge e) {
   const auto& ends = mesh.vertices(e);
   const Vec3 axis = (mesh.position(ends[1]) - mesh.position(ends[0])).normalized();
@@ -34,35 +29,16 @@ std::array<HalfPlane, 3> half_planes(const SurfaceMesh& mesh, Edge e) {
     const Labels labels = mesh.labels(t);
     planes[i] = {std::atan2(arm.dot(w), arm.dot(u)), mesh.runs_along(t, e) ? labels.q : labels.p};
   }
-  std::ranges::sort(planes, {}, &HalfPlane::angle);
   return planes;
 }
 
 }  // namespace
 
 JunctionAngles junction_angles(const SurfaceMesh& mesh) {
-  double squares = 0, outer_sum = 0;
-  std::size_t edges = 0, outer = 0;
-  for (Edge e : mesh.edges()) {
-    if (mesh.triangles(e).size() != 3) continue;
-    ++edges;
-    const auto planes = half_planes(mesh, e);
-    for (std::size_t i = 0; i < 3; ++i) {
-      double angle = planes[(i + 1) % 3].angle - planes[i].angle;
-      if (i == 2) angle += 2 * std::numbers::pi;
-      const double degrees = angle * 180 / std::numbers::pi;
-      squares += (degrees - 120) * (degrees - 120);
-      if (planes[i].region_after == lostopos::air) {
-        outer_sum += degrees;
-        ++outer;
-      }
-    }
-  }
-  JunctionAngles angles;
-  angles.edges = edges;
-  if (edges > 0) angles.rms_deviation_deg = std::sqrt(squares / (3.0 * static_cast<double>(edges)));
-  if (outer > 0) angles.outer_mean_deg = outer_sum / static_cast<double>(outer);
-  return angles;
+  DihedralAngles angles;
+  for (Edge e : mesh.edges())
+    if (mesh.triangles(e).size() == 3) angles.add(half_planes(mesh, e));
+  return {angles.rms_deviation_deg(), angles.outer_mean_deg(), angles.places()};
 }
 
 }  // namespace foamsim

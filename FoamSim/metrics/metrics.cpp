@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "FoamSim/metrics/film_angles.h"
 #include "FoamSim/metrics/junction_angles.h"
 
 namespace foamsim {
@@ -58,6 +59,7 @@ Metrics measure(const Simulation& simulation, const StepReport& report, double s
                 const std::vector<RegionVolume>& start_volumes) {
   const lostopos::SurfaceMesh& mesh = simulation.mesh();
   const JunctionAngles angles = junction_angles(mesh);
+  const FilmAngles films = film_angles(mesh);
   Metrics m;
   m.step = simulation.steps();
   m.time = simulation.time();
@@ -74,6 +76,8 @@ Metrics measure(const Simulation& simulation, const StepReport& report, double s
   m.centroid = lostopos::surface_centroid(mesh);
   m.angle_rms_deg = angles.rms_deviation_deg;
   m.angle_outer_mean_deg = angles.outer_mean_deg;
+  m.angle_rms_film_deg = films.rms_deviation_deg;
+  m.angle_outer_mean_film_deg = films.outer_mean_deg;
   m.volume_drift_max = largest_volume_drift(m.volumes, start_volumes);
   m.triangle_angle_min_deg = smallest_triangle_angle(mesh);
   m.step_seconds = step_seconds;

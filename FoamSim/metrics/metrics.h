@@ -23,9 +23,10 @@ struct Metrics {
   double volume_drift_max = 0;        ///< largest |V/V0 − 1| over regions but the air
   double triangle_angle_min_deg = 0;  ///< smallest corner angle of any triangle
   long t1_count = 0, snap_count = 0;  ///< since the start
-  double step_seconds = 0;            ///< wall time of the step
-  long velocity_evaluations = 0;      ///< in the step
-  double motion_fraction = 1;         ///< of the predicted motion that the tracker could do
+  std::optional<double> angle_rms_film_deg, angle_outer_mean_film_deg;  ///< see FilmAngles
+  double step_seconds = 0;                                              ///< wall time of the step
+  long velocity_evaluations = 0;                                        ///< in the step
+  double motion_fraction = 1;  ///< of the predicted motion that the tracker could do
   /// In the step: remeshing operations done, refused in all, collisions answered.
   std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
   std::size_t collisions = 0, impact_zones = 0;

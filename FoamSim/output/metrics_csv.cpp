@@ -76,6 +76,8 @@ const std::vector<Column>& columns() {
       {"collapse_seconds", [](const Metrics& m) { return text(m.remesh[Operation::collapse].seconds); }},
       {"flip_seconds", [](const Metrics& m) { return text(m.remesh[Operation::flip].seconds); }},
       {"smoothing_seconds", [](const Metrics& m) { return text(m.remesh[Operation::smoothing].seconds); }},
+      {"angle_rms_film_deg", [](const Metrics& m) { return text(m.angle_rms_film_deg); }},
+      {"angle_outer_mean_film_deg", [](const Metrics& m) { return text(m.angle_outer_mean_film_deg); }},
   };
   return all;
 }

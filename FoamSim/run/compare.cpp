@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* header =
     "area,ended,steps,time,triangles,angle_outer_mean_deg,angle_rms_deg,centroid_drift,surface_area,energy,"
-    "volume_drift_max,seconds";
+    "volume_drift_max,seconds,angle_rms_film_deg";
 
 std::string text(const std::optional<double>& value) {
   return value ? to_text(*value) : "";
@@ -25,7 +25,7 @@ void write_table(const std::filesystem::path& file, const std::vector<ComparedRu
     out.stream() << r.area << ',' << r.ended << ',' << r.steps << ',' << to_text(r.time) << ',' << r.triangles << ','
                  << text(r.angle_outer_mean_deg) << ',' << text(r.angle_rms_deg) << ',' << to_text(r.centroid_drift)
                  << ',' << to_text(r.surface_area) << ',' << to_text(r.energy) << ',' << to_text(r.volume_drift_max)
-                 << ',' << to_text(r.seconds) << '\n';
+                 << ',' << to_text(r.seconds) << ',' << text(r.angle_rms_film_deg) << '\n';
   }
   out.commit();
 }
@@ -44,9 +44,9 @@ ComparisonRow parse_row(const std::vector<std::string>& cells) {
   auto number = [](const std::string& cell) { return std::get<double>(parse_option(cell, 0.0)); };
   auto whole = [](const std::string& cell) { return std::get<long>(parse_option(cell, 0L)); };
   auto optional = [&](const std::string& cell) { return cell.empty() ? std::optional<double>() : number(cell); };
-  return {cells[0],         cells[1],           whole(cells[2]),    number(cells[3]),
-          whole(cells[4]),  optional(cells[5]), optional(cells[6]), number(cells[7]),
-          number(cells[8]), number(cells[9]),   number(cells[10]),  number(cells[11])};
+  return {cells[0],           cells[1],           whole(cells[2]),    number(cells[3]), whole(cells[4]),
+          optional(cells[5]), optional(cells[6]), number(cells[7]),   number(cells[8]), number(cells[9]),
+          number(cells[10]),  number(cells[11]),  optional(cells[12])};
 }
 
 }  // namespace
@@ -64,7 +64,8 @@ ComparisonRow summarise(const ComparedRun& run) {
           m.area,
           m.energy,
           m.volume_drift_max,
-          run.outcome.wall_seconds};
+          run.outcome.wall_seconds,
+          m.angle_rms_film_deg};
 }
 
 std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file) {
@@ -75,7 +76,7 @@ std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file) {
   for (int number = 1; std::getline(in, line); ++number) {
     const std::vector<std::string> cells = cells_of(line);
     try {
-      if (cells.size() != cells_of(header).size()) throw lostopos::InputError("a row needs 12 cells");
+      if (cells.size() != cells_of(header).size()) throw lostopos::InputError("a row needs 13 cells");
       if (number > 1) rows.push_back(parse_row(cells));
     } catch (const lostopos::InputError& error) {
       throw lostopos::InputError(file.string() + ":" + std::to_string(number) + ": " + error.what());

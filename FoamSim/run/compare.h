@@ -24,6 +24,7 @@ struct ComparisonRow {
   double energy = 0;          ///< L⁵/T²
   double volume_drift_max = 0;
   double seconds = 0;
+  std::optional<double> angle_rms_film_deg;  ///< see FilmAngles
 };
 ComparisonRow summarise(const ComparedRun& run);
 

@@ -1,66 +1,19 @@
 #include "tests/support/film_meshes.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <numbers>
+
+#include "LosTopos/shapes/circle_films.h"
 
 namespace lostopos::test {
 namespace {
 
 using std::numbers::pi;
-using Ring = std::vector<Vertex>;
-
-Ring add_ring(SurfaceMesh& mesh, double x, double radius, long segments, double phase) {
-  Ring ring;
-  for (long k = 0; k < segments; ++k) {
-    const double angle = 2 * pi * (static_cast<double>(k) + phase) / static_cast<double>(segments);
-    ring.push_back(mesh.add_vertex({x, radius * std::cos(angle), radius * std::sin(angle)}));
-  }
-  return ring;
-}
-
-// Triangles between two rings, the shorter diagonal first; right-hand normals along +x for an inner ring that is
-// smaller, in the plane's case.
-void stitch(SurfaceMesh& mesh, const Ring& outer, const Ring& inner, Labels labels) {
-  std::size_t i = 0, j = 0;
-  auto at = [](const Ring& ring, std::size_t k) { return ring[k % ring.size()]; };
-  auto distance = [&mesh](Vertex a, Vertex b) { return (mesh.position(a) - mesh.position(b)).norm(); };
-  while (i < outer.size() || j < inner.size()) {
-    const bool advance_outer = j == inner.size() || (i < outer.size() && distance(at(outer, i + 1), at(inner, j)) <=
-                                                                             distance(at(outer, i), at(inner, j + 1)));
-    if (advance_outer) {
-      mesh.add_triangle(at(outer, i), at(outer, i + 1), at(inner, j), labels);
-      ++i;
-    } else {
-      mesh.add_triangle(at(outer, i), at(inner, j + 1), at(inner, j), labels);
-      ++j;
-    }
-  }
-}
-
-// From the rim to a pole; `profile(s)` gives x and the distance from the axis for s from 0 at the rim to 1.
-void add_sheet(SurfaceMesh& mesh, const Ring& rim, double length, double edge,
-               const std::function<std::array<double, 2>(double)>& profile, Labels labels) {
-  const long rows = std::max(1L, std::lround(length / (edge * std::numbers::sqrt3 / 2)));
-  Ring outer = rim;
-  for (long row = 1; row < rows; ++row) {
-    const auto [x, distance] = profile(static_cast<double>(row) / static_cast<double>(rows));
-    const long segments = std::max(5L, std::lround(2 * pi * distance / edge));
-    const Ring inner = add_ring(mesh, x, distance, segments, row % 2 == 0 ? 0 : 0.5);
-    stitch(mesh, outer, inner, labels);
-    outer = inner;
-  }
-  const Vertex pole = mesh.add_vertex({profile(1)[0], 0, 0});
-  for (std::size_t k = 0; k < outer.size(); ++k)
-    mesh.add_triangle(outer[k], outer[(k + 1) % outer.size()], pole, labels);
-}
-
 template <class Lists>
 bool same_lists(const Lists& a, const Lists& b) {
   return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return std::ranges::equal(x, y); });
@@ -73,23 +26,9 @@ bool same_pool(const SlotPool& a, const SlotPool& b) {
 }  // namespace
 
 SurfaceMesh analytic_double_bubble(double radius, long segments) {
-  SurfaceMesh mesh;
-  const double rim_radius = radius * std::numbers::sqrt3 / 2;
-  const double edge = 2 * pi * rim_radius / static_cast<double>(segments);
-  const Ring rim = add_ring(mesh, 0, rim_radius, segments, 0);
-  for (int side : {-1, 1}) {
-    // The polar angle goes from 120° at the rim to 0.
-    auto cap = [&](double s) {
-      const double angle = 2 * pi / 3 * (1 - s);
-      return std::array{side * radius * (0.5 + std::cos(angle)), radius * std::sin(angle)};
-    };
-    // Rings turn about +x, so that normals point along +x at the pole: outwards on the right only.
-    const Labels labels = side > 0 ? Labels{Region(2), air} : Labels{air, Region(1)};
-    add_sheet(mesh, rim, 2 * pi / 3 * radius, edge, cap, labels);
-  }
-  auto disc = [&](double s) { return std::array{0.0, rim_radius * (1 - s)}; };
-  add_sheet(mesh, rim, rim_radius, edge, disc, {Region(1), Region(2)});
-  return mesh;
+  const std::array films{CircleFilm{-2 * pi / 3, {air, Region(1)}}, CircleFilm{2 * pi / 3, {Region(2), air}},
+                         CircleFilm{0, {Region(1), Region(2)}}};
+  return films_on_circle(radius * std::numbers::sqrt3 / 2, films, segments);
 }
 
 double analytic_bubble_volume(double radius) {

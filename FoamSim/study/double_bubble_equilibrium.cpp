@@ -37,7 +37,6 @@ struct HalfAngleTangents {
 };
 
 double solve_alpha(double volume_ratio) {
-  if (volume_ratio == 1) return pi / 6;
   // In logarithms, because the ratio spans decades.
   const auto excess = [volume_ratio](double alpha) {
     const HalfAngleTangents t(alpha);
@@ -45,6 +44,8 @@ double solve_alpha(double volume_ratio) {
   };
   // Near α = 0 the ratio is 3.85 α³.
   const double low = 0.1 * std::cbrt(volume_ratio), high = pi / 6;
+  // Volumes that are equal, or as good as equal.
+  if (excess(high) <= 0) return high;
   std::uintmax_t iterations = 200;
   const auto [a, b] = boost::math::tools::toms748_solve(
       excess, low, high, boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits - 1),

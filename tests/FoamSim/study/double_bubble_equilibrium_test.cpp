@@ -51,7 +51,7 @@ TEST(DoubleBubbleEquilibrium, OfOneToTwoHasTheTabulatedValues) {
 }
 
 TEST(DoubleBubbleEquilibrium, EnclosesItsVolumesAndBalancesPressuresAtEveryRatio) {
-  for (double ratio : {1.0, 1 + 1e-12, 1.001, 1.5, 4.0, 1e3, 1e6, 1e9})
+  for (double ratio : {1.0, 1 + 2e-16, 1 + 1e-15, 1 + 1e-12, 1.001, 1.5, 4.0, 1e3, 1e6, 1e9})
     for (double scale : {1.0, 1e-9, 1e9}) {
       const DoubleBubbleEquilibrium e = double_bubble_equilibrium(scale, ratio * scale);
       const double wall = cap_volume(e.wall, e.rim_radius);

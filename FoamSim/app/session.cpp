@@ -46,7 +46,12 @@ Progress::Progress(std::string label, bool quiet)
       last_(start_) {}
 
 Progress::~Progress() {
+  clear();
+}
+
+void Progress::clear() {
   if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
 }
 
 void Progress::show(const Metrics& metrics, double fraction) {

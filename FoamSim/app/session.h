@@ -40,6 +40,10 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
   void show(const Metrics& metrics, double fraction);
+  /// Another label, the same clock.
+  void relabel(std::string label) { label_ = std::move(label); }
+  /// Takes the bar off the terminal, so that a line can be printed.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

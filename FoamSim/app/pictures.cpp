@@ -81,7 +81,7 @@ bool run_plot_script(const std::string& script, const fs::path& folder) {
   if (file.empty()) return false;
   // Debian's matplotlib belongs to /usr/bin/python3, which need not be the first python3 on the path.
   for (const char* python : {"/usr/bin/python3", "python3"})
-    if (succeeds({python, "-c", "import matplotlib"})) return succeeds({python, file.string(), folder.string()});
+    if (succeeds({python, "-c", "import matplotlib"})) return succeeds({python, "-B", file.string(), folder.string()});
   return false;
 }
 

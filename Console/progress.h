@@ -16,6 +16,8 @@ class Progress {
   void show(long step, double time, double fraction);
   /// `detail`: what is being done now.
   void show(const std::string& detail, double fraction);
+  /// Another label, the same clock.
+  void relabel(std::string label) { label_ = std::move(label); }
   /// Takes a bar off the terminal, so that other lines can be written.
   void clear();
 

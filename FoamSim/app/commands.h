@@ -23,6 +23,7 @@ struct Program {
 void add_run_command(CLI::App& app, Program& program);
 void add_compare_command(CLI::App& app, Program& program);
 void add_study_command(CLI::App& app, Program& program);
+void add_reproduce_command(CLI::App& app, Program& program);
 void add_render_command(CLI::App& app, Program& program);
 void add_inspect_command(CLI::App& app, Program& program);
 void add_convert_command(CLI::App& app, Program& program);

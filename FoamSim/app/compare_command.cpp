@@ -7,8 +7,6 @@
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/scene_arguments.h"
 #include "FoamSim/app/session.h"
-#include "FoamSim/render/compose.h"
-#include "FoamSim/render/png.h"
 #include "FoamSim/run/compare.h"
 #include "LosTopos/error.h"
 
@@ -40,24 +38,6 @@ void print_table(const std::vector<ComparisonRow>& rows) {
                 row.seconds, row.ended.c_str(), row.time);
 }
 
-// A row a strategy: the surface at the start, half way and at the end, all seen by one camera.
-void draw_sheet(const std::vector<ComparedRun>& runs, const std::filesystem::path& file) {
-  std::vector<render::Surface> surfaces;
-  for (const ComparedRun& run : runs) {
-    std::vector<std::filesystem::path> frames;
-    for (const auto& entry : std::filesystem::directory_iterator(run.outcome.directory / "frames"))
-      frames.push_back(entry.path());
-    std::ranges::sort(frames);
-    for (const auto& frame : {frames.front(), frames[frames.size() / 2], frames.back()})
-      surfaces.push_back(read_frame(frame));
-  }
-  render::RenderOptions options;
-  options.width = 560;
-  options.height = 420;
-  const auto images = draw_together(surfaces, options, render::FramingOptions().direction);
-  render::write_png(render::grid(images, {.columns = 3, .gap = 6}), file);
-}
-
 int compare(const Arguments& arguments, const std::string& command) {
   const SceneArguments& given = arguments.scene;
   if (!arguments.show.empty()) {
@@ -79,7 +59,9 @@ int compare(const Arguments& arguments, const std::string& command) {
   if (!given.quiet) print_table(read_comparison(settings.out / "compare.csv"));
   if (runs.back().outcome.end == RunEnd::interrupted) return exit_interrupted;
   if (!arguments.no_pictures) {
-    draw_sheet(runs, settings.out / "compare.png");
+    std::vector<std::filesystem::path> rows;
+    for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
+    draw_frames(rows, 3, settings.out / "compare.png");
     if (!run_plot_script("plot_compare.py", settings.out))
       spdlog::warn("no plot: it needs python3 with matplotlib and plots/plot_compare.py");
   }

@@ -33,6 +33,7 @@ int run_program(int argc, char** argv) {
   add_run_command(app, program);
   add_compare_command(app, program);
   add_study_command(app, program);
+  add_reproduce_command(app, program);
   add_render_command(app, program);
   add_inspect_command(app, program);
   add_convert_command(app, program);

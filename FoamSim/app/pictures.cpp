@@ -4,9 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
+#include "FoamSim/render/compose.h"
+#include "FoamSim/render/png.h"
 #include "LosTopos/error.h"
 #include "LosTopos/io/mesh_file.h"
 
@@ -57,12 +60,28 @@ std::vector<render::Image> draw_together(const std::vector<render::Surface>& sur
   return images;
 }
 
+void draw_frames(const std::vector<fs::path>& folders, std::size_t columns, const fs::path& file) {
+  std::vector<render::Surface> surfaces;
+  for (const fs::path& folder : folders) {
+    std::vector<fs::path> frames;
+    for (const auto& entry : fs::directory_iterator(folder)) frames.push_back(entry.path());
+    std::ranges::sort(frames);
+    for (std::size_t i = 0; i < columns; ++i)
+      surfaces.push_back(read_frame(frames[i + 1 == columns ? frames.size() - 1 : i * frames.size() / (columns - 1)]));
+  }
+  render::RenderOptions options;
+  options.width = 560;
+  options.height = 420;
+  const auto images = draw_together(surfaces, options, render::FramingOptions().direction);
+  render::write_png(render::grid(images, {.columns = static_cast<int>(columns), .gap = 6}), file);
+}
+
 bool run_plot_script(const std::string& script, const fs::path& folder) {
   const fs::path file = find_script(script);
   if (file.empty()) return false;
   // Debian's matplotlib belongs to /usr/bin/python3, which need not be the first python3 on the path.
   for (const char* python : {"/usr/bin/python3", "python3"})
-    if (succeeds({python, "-c", "import matplotlib"})) return succeeds({python, file.string(), folder.string()});
+    if (succeeds({python, "-c", "import matplotlib"})) return succeeds({python, "-B", file.string(), folder.string()});
   return false;
 }
 

@@ -15,6 +15,11 @@ render::Surface read_frame(const std::filesystem::path& file);
 std::vector<render::Image> draw_together(const std::vector<render::Surface>& surfaces,
                                          const render::RenderOptions& options, const Eigen::Vector3d& direction);
 
+/// A sheet of pictures, a row a folder of frames: `columns` (≥ 2) frames, the first, the last and others evenly
+/// between, all seen by one camera.
+void draw_frames(const std::vector<std::filesystem::path>& folders, std::size_t columns,
+                 const std::filesystem::path& file);
+
 /// Runs one of the project's plot scripts on the CSV files of `folder`. False when no Python with matplotlib or no
 /// script is found; `script` is its file name.
 bool run_plot_script(const std::string& script, const std::filesystem::path& folder);

@@ -6,5 +6,6 @@ namespace foamsim {
 
 using lostopos::CsvTable;
 using lostopos::keep_rows_until;
+using lostopos::read_csv;
 
 }  // namespace foamsim

@@ -1,8 +1,7 @@
 #include "FoamSim/run/compare.h"
 
-#include <fstream>
-
 #include "FoamSim/options/option_value.h"
+#include "FoamSim/output/csv_table.h"
 #include "LosTopos/error.h"
 #include "LosTopos/io/atomic_file.h"
 
@@ -28,16 +27,6 @@ void write_table(const std::filesystem::path& file, const std::vector<ComparedRu
                  << ',' << to_text(r.seconds) << ',' << text(r.angle_rms_film_deg) << '\n';
   }
   out.commit();
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  return cells;
 }
 
 ComparisonRow parse_row(const std::vector<std::string>& cells) {
@@ -69,19 +58,10 @@ ComparisonRow summarise(const ComparedRun& run) {
 }
 
 std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw lostopos::FileError(file.string() + ": there is no comparison; 'foamsim compare' makes one");
+  if (!std::filesystem::exists(file))
+    throw lostopos::FileError(file.string() + ": there is no comparison; 'foamsim compare' makes one");
   std::vector<ComparisonRow> rows;
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    const std::vector<std::string> cells = cells_of(line);
-    try {
-      if (cells.size() != cells_of(header).size()) throw lostopos::InputError("a row needs 13 cells");
-      if (number > 1) rows.push_back(parse_row(cells));
-    } catch (const lostopos::InputError& error) {
-      throw lostopos::InputError(file.string() + ":" + std::to_string(number) + ": " + error.what());
-    }
-  }
+  read_csv(file, header, [&](const std::vector<std::string>& cells) { rows.push_back(parse_row(cells)); });
   return rows;
 }
 

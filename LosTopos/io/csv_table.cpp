@@ -31,6 +31,38 @@ void CsvTable::add(const std::string& rows) {
                   (reason != 0 ? std::strerror(reason) : "the disk may be full"));
 }
 
+namespace {
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (char c : line)
+    if (c == ',')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  return cells;
+}
+
+}  // namespace
+
+void read_csv(const std::filesystem::path& file, const std::string& header,
+              const std::function<void(const std::vector<std::string>& cells)>& row) {
+  std::ifstream in(file);
+  if (!in) throw lostopos::FileError("cannot read " + file.string() + ": " + std::strerror(errno));
+  const std::size_t columns = cells_of(header).size();
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) try {
+      const std::vector<std::string> cells = cells_of(line);
+      if (number == 1 && line != header) throw lostopos::InputError("the first line has to be '" + header + "'");
+      if (cells.size() != columns)
+        throw lostopos::InputError("a row needs " + std::to_string(columns) + " cells, not " +
+                                   std::to_string(cells.size()));
+      if (number > 1) row(cells);
+    } catch (const lostopos::InputError& error) {
+      throw lostopos::InputError(file.string() + ":" + std::to_string(number) + ": " + error.what());
+    }
+}
+
 void keep_rows_until(const std::filesystem::path& file, long last_step) {
   std::ifstream in(file);
   if (!in) return;

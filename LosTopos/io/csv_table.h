@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace lostopos {
 
@@ -20,6 +22,12 @@ class CsvTable {
   std::ofstream stream_;
   std::uintmax_t whole_ = 0;  // bytes up to the end of the last whole row
 };
+
+/// Reads a whole table and hands on the cells of every row. Throws InputError with file and line when the first line is
+/// not `header`, a row has another number of cells, or `row` throws one; FileError when the file cannot be read. Cells
+/// are taken as they stand: nothing is quoted.
+void read_csv(const std::filesystem::path& file, const std::string& header,
+              const std::function<void(const std::vector<std::string>& cells)>& row);
 
 /// Cuts a table back to the header and the rows whose first column, a step, is at most `last_step`.
 void keep_rows_until(const std::filesystem::path& file, long last_step);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "LosTopos/mesh/surface_mesh.h"
+#include "LosTopos/shapes/triple_junction.h"
 
 namespace lostopos::test {
 
@@ -20,15 +21,7 @@ SurfaceMesh globe(double radius, long n, const Vec3& centre = Vec3::Zero());
 /// distances of `spacing` along x. Vertex index: ring · segments + segment.
 SurfaceMesh open_cylinder(double radius, long segments, long rings, double spacing);
 
-/// Three flat films that meet along the x axis.
-struct TripleJunction {
-  SurfaceMesh mesh;
-  std::vector<Vertex> border;     ///< on the axis, ascending in x; the first and the last are ends
-  std::array<Vec3, 3> direction;  ///< in which film i leaves the axis, unit vectors in the yz plane
-};
-/// Film i separates region i from region (i + 1) mod 3, and region i spans the angle `degrees[i]` between films i − 1
-/// and i; the angles add up to 360. Square grids of spacing 1 with one diagonal each, 7 vertices along the border and 4
-/// rows off it; film `stretched` has its rows pulled out to `stretch` times their distance, in its own plane.
-TripleJunction triple_junction(const std::array<double, 3>& degrees, int stretched = 0, double stretch = 1);
+using lostopos::triple_junction;
+using lostopos::TripleJunction;
 
 }  // namespace lostopos::test

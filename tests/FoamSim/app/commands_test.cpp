@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -130,6 +131,7 @@ TEST(Options, EachOneHasAnEffect) {
       {"area", "run doublebubble --set area=naive"},
       {"phi", "run doublebubble --set area=constant-edge --set phi=0.9"},
       {"damping", "run doublebubble --set effects+=damping --set damping=0.1"},
+      {"damping_from", "run doublebubble --set effects+=damping --set damping=0.1 --set damping_from=0.02"},
       {"diffusion", "run doublebubble --set diffusion=1"},
       {"growth", "run foaminit --set growth=1"},
   };
@@ -160,6 +162,7 @@ TEST(Options, EachOneHasAnEffect) {
                     constant_edge = outcome("run doublebubble --set area=constant-edge");
   const std::string two_bubbles = outcome("run twobubbles --set n=1"), foam = outcome("run foaminit"),
                     junction = outcome("run quadjunction --set n=2");
+  const std::string damped = outcome("run doublebubble --set effects+=damping --set damping=0.1");
   for (const OptionSpec& spec : scene_option_specs()) {
     const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
     if (spec.key.starts_with("tracker.")) continue;   // seen where films collide: TrackerOptionsOfScenes
@@ -169,6 +172,7 @@ TEST(Options, EachOneHasAnEffect) {
     const std::string& base = spec.key == "mode"                                                      ? sphere
                               : spec.key == "amplitude"                                               ? mode
                               : spec.key == "phi"                                                     ? constant_edge
+                              : spec.key == "damping_from"                                            ? damped
                               : spec.key == "gap" || spec.key == "speed"                              ? two_bubbles
                               : spec.key == "spheres" || spec.key == "layout" || spec.key == "growth" ? foam
                               : spec.key == "displacement"                                            ? junction
@@ -190,6 +194,21 @@ TEST(CompareCommand, MakesATableAndARunEach) {
   const ProgramResult shown = run_foamsim("compare --show " + (scratch / "c"));
   EXPECT_EQ(shown.exit_code, 0);
   EXPECT_NE(shown.out.find("averaged"), std::string::npos);
+  EXPECT_NE(shown.out.find("of films"), std::string::npos);
+}
+
+TEST(ReproduceCommand, DrawsTheStretchedJunctionAndMeasuresTheMeasures) {
+  const ScratchFolder scratch;
+  for (const std::string what : {"figure3", "measures"}) {
+    const ProgramResult result = run_foamsim("reproduce " + what + " --out " + (scratch / "r"));
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    EXPECT_NE(result.out.find("output in"), std::string::npos);
+  }
+  EXPECT_EQ(lines_of(read_file(scratch / "r/figure3.csv")).size(), 1U + 3 * 4 * 3) << "strategies, stretches, regions";
+  EXPECT_EQ(lines_of(read_file(scratch / "r/angle_measures.csv")).size(), 1U + 2 * 4);
+  const ProgramResult unknown = run_foamsim("reproduce table2 --out " + (scratch / "u"));
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_FALSE(fs::exists(scratch.path() / "u"));
 }
 
 TEST(ListCommands, NameEverythingThereIs) {
@@ -210,6 +229,9 @@ TEST(InspectCommand, ReportsCountsVolumesAnglesAndAudit) {
   EXPECT_EQ(report["euler_characteristic"], 3);
   EXPECT_EQ(report["junction_edges"], 16);
   EXPECT_EQ(report["audit"], "clean");
+  // The spheres of the start shape leave the border at 45 and twice 157.5 degrees.
+  EXPECT_NEAR(report["angle_rms_film_deg"].get<double>(), std::sqrt((75 * 75 + 2 * 37.5 * 37.5) / 3), 2);
+  EXPECT_GT(report["angle_rms_deg"].get<double>(), 40);
   EXPECT_NEAR(report["volumes"]["1"].get<double>(), 4.027, 5e-4);
   EXPECT_NEAR(report["volumes"]["2"].get<double>(), 4.027, 5e-4);
 }

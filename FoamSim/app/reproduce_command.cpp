@@ -1,0 +1,177 @@
+#include <cstdio>
+#include <memory>
+
+#include "FoamSim/app/commands.h"
+#include "FoamSim/app/pictures.h"
+#include "FoamSim/app/session.h"
+#include "FoamSim/reproduce/angle_measures.h"
+#include "FoamSim/reproduce/figure1.h"
+#include "FoamSim/reproduce/stretched_junction.h"
+#include "FoamSim/reproduce/table1.h"
+#include "LosTopos/error.h"
+
+namespace foamsim::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Arguments {
+  std::string what, out = "out/reproduce";
+  bool quick = false, force = false, quiet = false;
+  int threads = 0;
+};
+
+std::string text(const std::optional<double>& value, const char* format = "%.2f") {
+  char cell[32] = "-";
+  if (value) std::snprintf(cell, sizeof(cell), format, *value);
+  return cell;
+}
+
+void print_header() {
+  std::printf("%-14s %4s %17s %9s %9s %7s %10s %8s %8s %9s %6s %9s %9s  %s\n", "strategy", "N", "triangles", "RMS dev.",
+              "of films", "exact", "published", "differ.", "outer", "height", "steps", "CPU s", "wall s", "ended");
+}
+
+void print_row(const Table1Row& r) {
+  const std::string triangles = std::to_string(r.triangles_start) + " -> " + std::to_string(r.triangles);
+  std::printf("%-14s %4ld %17s %9s %9s %7.2f %10s %8s %8s %9s %6ld %9.1f %9.1f  %s at time %.2f\n", r.area.c_str(), r.n,
+              triangles.c_str(), text(r.angle_rms_deg).c_str(), text(r.angle_rms_film_deg).c_str(), r.exact_facets_deg,
+              text(r.published_deg).c_str(), text(r.difference_deg(), "%+.2f").c_str(),
+              text(r.angle_outer_mean_deg).c_str(), text(r.border_height, "%.4f").c_str(), r.steps, r.cpu_seconds,
+              r.wall_seconds, r.ended.c_str(), r.time);
+  std::fflush(stdout);
+}
+
+void plot(const std::string& script, const fs::path& folder) {
+  if (!run_plot_script(script, folder))
+    std::fprintf(stderr, "foamsim: no plot: it needs python3 with matplotlib and plots/%s\n", script.c_str());
+}
+
+// Each of these makes one part; false when interrupted.
+
+bool measures(const Arguments& arguments) {
+  const auto rows = measure_exact_double_bubbles();
+  fs::create_directories(arguments.out);
+  write_angle_measures(fs::path(arguments.out) / "angle_measures.csv", rows);
+  std::printf("What the two measures find where every angle is 120 degrees (vertices exactly on double bubbles):\n");
+  std::printf("%-14s %8s %9s %8s %12s %12s\n", "volumes", "segments", "triangles", "h/R", "facets, deg", "films, deg");
+  for (const MeasuredExactly& r : rows)
+    std::printf("1 : %-10g %8ld %9zu %8.3f %12.3f %12.4f\n", r.volume_ratio, r.segments, r.triangles, r.h_over_radius,
+                r.facets_rms_deg, r.films_rms_deg);
+  return true;
+}
+
+bool table1(const Arguments& arguments, const std::string& command) {
+  Table1Settings settings;
+  if (arguments.quick) settings.subdivisions.pop_back();
+  settings.out = arguments.out;
+  settings.force = arguments.force;
+  settings.command = command;
+  std::unique_ptr<Progress> progress;
+  Table1Hooks hooks;
+  // One clock for the whole table: the time left is that of all rows.
+  hooks.run = [&](const std::string& area, long n, double begin, double end) {
+    if (!progress) progress = std::make_unique<Progress>("table 1", arguments.quiet);
+    progress->relabel("table 1: " + area + ", N = " + std::to_string(n));
+    return RunHooks{[&progress, begin, end](const Metrics& metrics, double fraction) {
+                      progress->show(metrics, begin + fraction * (end - begin));
+                    },
+                    [] { return InterruptGuard::interrupted(); }};
+  };
+  hooks.row = [&](const Table1Row& row) {
+    progress->clear();
+    if (!arguments.quiet) print_row(row);
+  };
+  if (!arguments.quiet) print_header();
+  const auto rows = make_table1(settings, hooks);
+  progress.reset();
+  if (!arguments.quiet) {
+    std::printf("\n");
+    print_header();
+    for (const std::string& area : settings.areas)
+      for (const Table1Row& row : rows)
+        if (row.area == area) print_row(row);
+  }
+  if (rows.size() > 1) plot("plot_table1.py", arguments.out);
+  return rows.size() == settings.subdivisions.size() * settings.areas.size();
+}
+
+bool figure1(const Arguments& arguments, const std::string& command) {
+  RunSettings settings;
+  settings.out = fs::path(arguments.out) / "figure1";
+  settings.command = command;
+  settings.force = true;
+  if (arguments.force || !fs::exists(settings.out / "compare.csv")) {
+    std::unique_ptr<Progress> progress;
+    const Figure1Options options;
+    const auto runs = run_figure1(options, settings, [&](const std::string& area) {
+      progress = std::make_unique<Progress>("figure 1: " + area, arguments.quiet);
+      return hooks_for(*progress);
+    });
+    progress.reset();
+    if (runs.back().outcome.end == RunEnd::interrupted) {
+      fs::remove(settings.out / "compare.csv");
+      return false;
+    }
+    std::vector<fs::path> rows;
+    for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
+    draw_frames(rows, static_cast<std::size_t>(options.frames) + 1, settings.out / "figure1.png");
+  }
+  const auto rows = read_comparison(settings.out / "compare.csv");
+  if (!arguments.quiet)
+    for (const ComparisonRow& row : rows)
+      std::printf("figure 1: %-14s outer angle %s, RMS deviation %s, centroid drift %.4f, volume drift %.2f%%\n",
+                  row.area.c_str(), text(row.angle_outer_mean_deg).c_str(), text(row.angle_rms_deg).c_str(),
+                  row.centroid_drift, 100 * row.volume_drift_max);
+  if (!arguments.quiet) std::printf("figure 1: naive drifts %.1f times as far as the others\n", drift_ratio(rows));
+  plot("plot_figure1.py", settings.out);
+  return true;
+}
+
+bool figure3(const Arguments& arguments) {
+  const auto rows = stretch_junction();
+  fs::create_directories(arguments.out);
+  write_stretched_junction(fs::path(arguments.out) / "figure3.csv", rows);
+  if (!arguments.quiet)
+    for (const StretchedJunctionRow& row : rows)
+      std::printf("figure 3: %-14s stretch %-4g curvature of regions 0, 1, 2: %.5f %.5f %.5f  imbalance %.5f\n",
+                  row.area.c_str(), row.stretch, row.curvature[0], row.curvature[1], row.curvature[2], row.imbalance());
+  plot("plot_figure3.py", arguments.out);
+  return true;
+}
+
+int reproduce(const Arguments& arguments, const std::string& command) {
+  if (arguments.threads < 0) throw lostopos::InputError("--threads has to be a whole number >= 1");
+  const ThreadLimit limit(arguments.threads);
+  const InterruptGuard guard;
+  const bool all = arguments.what == "all";
+  bool whole = true;
+  if (all || arguments.what == "measures") whole = measures(arguments);
+  if (all || arguments.what == "figure3") whole = whole && figure3(arguments);
+  if (all || arguments.what == "figure1") whole = whole && figure1(arguments, command);
+  if (all || arguments.what == "table1") whole = whole && table1(arguments, command);
+  if (!arguments.quiet)
+    std::printf("output in %s%s\n", arguments.out.c_str(),
+                whole ? "" : "; interrupted: the same command goes on with what is there");
+  return whole ? exit_done : exit_interrupted;
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& app, Program& program) {
+  CLI::App* command = app.add_subcommand("reproduce", "the report's table and figures, beside the published values");
+  auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("what", arguments->what, "table1, figure1, figure3, measures (the angle measures' own error) or all")
+      ->required()
+      ->check(CLI::IsMember({"table1", "figure1", "figure3", "measures", "all"}));
+  command->add_flag("--quick", arguments->quick, "table1 without N = 96: minutes instead of most of an hour");
+  command->add_option("--out", arguments->out, "folder for the output")->capture_default_str();
+  command->add_flag("--force", arguments->force, "compute anew what the folder holds");
+  command->add_option("--threads", arguments->threads, "number of threads (default: all cores)");
+  command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
+  command->callback([arguments, &program] { program.exit_code = reproduce(*arguments, program.command_line); });
+}
+
+}  // namespace foamsim::app

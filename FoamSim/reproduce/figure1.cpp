@@ -1,0 +1,29 @@
+#include "FoamSim/reproduce/figure1.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "FoamSim/reproduce/report_scene.h"
+
+namespace foamsim {
+
+std::vector<ComparedRun> run_figure1(const Figure1Options& options, const RunSettings& settings,
+                                     const std::function<RunHooks(const std::string& area)>& hooks_for) {
+  Scene scene = report_scene(options.n, "averaged");
+  const long steps = std::lround(options.time / scene.options.number("dt"));
+  scene.options.set("frame_every", std::max(1L, steps / options.frames), "figure 1");
+  scene.options.set("metrics_every", 5L, "figure 1");
+  scene.options.set("checkpoint_every", 0L, "figure 1");
+  RunSettings own = settings;
+  own.stop = {options.time, {}, false};
+  return compare_areas(scene, {report_areas.begin(), report_areas.end()}, own, hooks_for);
+}
+
+double drift_ratio(const std::vector<ComparisonRow>& rows) {
+  double naive = 0, others = 0;
+  for (const ComparisonRow& row : rows)
+    (row.area == "naive" ? naive : others) = std::max(row.area == "naive" ? naive : others, row.centroid_drift);
+  return naive / others;
+}
+
+}  // namespace foamsim

@@ -141,6 +141,15 @@ TEST(TopologyOptionsOfScenes, ManyThreadsGiveTheBitsOfOne) {
   EXPECT_EQ(read_file(scratch / "one/events.csv"), read_file(scratch / "two/events.csv"));
 }
 
+// Where nothing meets, looking for what meets changes nothing.
+TEST(TopologyOptionsOfScenes, LeaveAQuietSurfaceAlone) {
+  const ScratchFolder scratch;
+  run("doublebubble --steps 60 --set topology.enabled=true", scratch / "on");
+  run("doublebubble --steps 60", scratch / "off");
+  EXPECT_EQ(read_file(scratch / "on/frames/frame_000060.ply"), read_file(scratch / "off/frames/frame_000060.ply"));
+  EXPECT_EQ(read_file(scratch / "on/events.csv"), "step,time,kind,regions,x,y,z\n");
+}
+
 // What a run leaves: its last surface, and how often each thing happened.
 struct Outcome {
   std::string frame;

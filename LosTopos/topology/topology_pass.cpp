@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "LosTopos/geometry/distance.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/topology/region_parts.h"
 
@@ -60,6 +61,14 @@ std::array<Site, 2> sites_of(const SurfaceMesh& mesh, const NearPair& near) {
   return {site_on(mesh, Edge(near.pair.first), w[1]), site_on(mesh, Edge(near.pair.second), w[3])};
 }
 
+// The corners of the triangles at the site, ascending.
+std::vector<Vertex> star_vertices(const SurfaceMesh& mesh, const Site& site) {
+  std::vector<Vertex> list;
+  for (Triangle t : triangles_at(mesh, site)) list.insert(list.end(), mesh.vertices(t).begin(), mesh.vertices(t).end());
+  sort_unique(list);
+  return list;
+}
+
 // Whether a vertex at the site would be at least `room` away from those it lies between.
 bool has_room(const SurfaceMesh& mesh, const Site& site, double room) {
   return site.vertex.valid() ||
@@ -92,6 +101,24 @@ std::vector<Region> TopologyPass::regions_at(const Site& a, const Site& b) const
   return regions;
 }
 
+// Films under tension part again where they touch at a point only. A first contact is worth making when it can become
+// one of at least a triangle: two neighbours of one of the places are near the other's surface, too.
+bool TopologyPass::can_last(const Site& a, const Site& b) const {
+  if (options_.separation != SeparationRule::area || !options_.separate) return true;
+  const std::vector<Vertex> link_a = star_vertices(c_.mesh, a), link_b = star_vertices(c_.mesh, b);
+  if (std::ranges::any_of(link_a, [&](Vertex v) { return std::ranges::binary_search(link_b, v); })) return true;
+  auto near_neighbours = [this](const std::vector<Vertex>& link, const Site& own, const Site& other) {
+    const auto star = triangles_at(c_.mesh, other);
+    return std::ranges::count_if(link, [&](Vertex v) {
+      return !own.uses(v) && std::ranges::any_of(star, [&](Triangle t) {
+        const auto [x, y, z] = corners(c_.mesh, t);
+        return point_triangle_distance(c_.mesh.position(v), x, y, z).distance < merge_distance_;
+      });
+    });
+  };
+  return near_neighbours(link_a, a, b) + near_neighbours(link_b, b, a) >= 2;
+}
+
 // Snaps at vertices of the two elements where they are near, or else at the nearest points themselves.
 std::optional<Refusal> TopologyPass::snap(const NearPair& near) {
   const auto [a, b] = sites_of(c_.mesh, near);
@@ -99,6 +126,7 @@ std::optional<Refusal> TopologyPass::snap(const NearPair& near) {
                                 .direction = (b.point - a.point).stableNormalized()};
   const double reach = snap_reach * c_.options.target_edge;
   const Site at_a = settled(c_.mesh, a, reach), at_b = settled(c_.mesh, b, reach);
+  if (!can_last(at_a, at_b)) return Refusal::not_better;
   std::vector<Region> regions = regions_at(at_a, at_b);
   std::optional<Refusal> refusal = merge_.attempt(at_a, at_b, rules);
   const bool moved = at_a.point != a.point || at_b.point != b.point;

@@ -27,6 +27,7 @@ class TopologyPass {
 
  private:
   void note(TopologyOperation kind, std::vector<Region> regions, const Vec3& position);
+  bool can_last(const Site& a, const Site& b) const;
   std::optional<Refusal> snap(const NearPair& near);
   bool collapse_region(Region region, std::vector<Triangle> boundary);
   std::vector<Region> regions_at(const Site& a, const Site& b) const;

@@ -166,10 +166,9 @@ Outcome outcome_of(const std::string& assignment) {
 TEST(TopologyOptionsOfScenes, EachOneHasItsEffect) {
   const Outcome base = outcome_of("");
   const std::map<std::string, std::string> changed{
-      {"topology.enabled", "false"},      {"topology.snap", "false"},
-      {"topology.separate", "false"},     {"topology.merge_distance", "0.2"},
-      {"topology.pull_apart", "0.05"},    {"topology.longest_motion", "0.05"},
-      {"topology.max_sweeps", "1"},       {"topology.smallest_region", "12"},
+      {"topology.enabled", "false"},      {"topology.snap", "false"},         {"topology.separate", "false"},
+      {"topology.merge_distance", "0.2"}, {"topology.pull_apart", "0.05"},    {"topology.longest_motion", "0.05"},
+      {"topology.max_sweeps", "1"},       {"topology.smallest_region", "12"}, {"topology.separation", "flow"},
       {"topology.collapse_regions", "-"},  // below
   };
   std::map<std::string, Outcome> outcomes;

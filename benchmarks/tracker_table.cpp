@@ -24,9 +24,9 @@ using lostopos::Vec3;
 
 constexpr int most_passes_to_rest = 60;
 constexpr int steps = 21;
-constexpr std::size_t stage_count = 9;
-constexpr std::array<const char*, stage_count> stage_names{"broad", "ccd",    "impulses", "split", "collapse",
-                                                           "flip",  "smooth", "other",    "total"};
+constexpr std::size_t stage_count = 10;
+constexpr std::array<const char*, stage_count> stage_names{"broad",    "ccd",  "impulses", "topology", "split",
+                                                           "collapse", "flip", "smooth",   "other",    "total"};
 
 struct Row {
   std::size_t triangles = 0;
@@ -71,12 +71,14 @@ std::vector<Vec3> swirled(const SurfaceMesh& mesh, double resolution, double sig
 std::array<double, stage_count> measured_step(SurfaceTracker& tracker, double sign, Row& row) {
   const std::vector<Vec3> predicted = swirled(tracker.mesh(), tracker.options().resolution, sign);
   const double start = seconds_now();
-  const lostopos::MoveStatistics move = tracker.advance(predicted).statistics;
-  const lostopos::RemeshStatistics remesh = tracker.remesh();
+  const lostopos::TrackerStep done = tracker.step(predicted);
+  const lostopos::MoveStatistics& move = done.move.statistics;
+  const lostopos::RemeshStatistics& remesh = done.remesh;
   const double total = seconds_now() - start;
   std::array<double, stage_count> seconds{move.broad_phase_seconds,
                                           move.ccd_seconds,
                                           move.impulse_seconds + move.zone_seconds,
+                                          done.topology_seconds,
                                           remesh[Operation::split].seconds,
                                           remesh[Operation::collapse].seconds,
                                           remesh[Operation::flip].seconds,
@@ -85,14 +87,15 @@ std::array<double, stage_count> measured_step(SurfaceTracker& tracker, double si
                                           total};
   seconds[stage_count - 2] = total - std::accumulate(seconds.begin(), seconds.end() - 2, 0.0);
   row.collisions += move.collisions;
-  row.operations += remesh.done_in_all();
+  row.operations += remesh.done_in_all() + done.topology.done_in_all();
   return seconds;
 }
 
 Row quiet_steps(long n, std::size_t label_offset) {
   SurfaceMesh mesh = foamsim::double_bubble(n);
   offset_labels(mesh, label_offset);
-  const lostopos::TrackerOptions options{.resolution = mean_edge_length(mesh)};
+  lostopos::TrackerOptions options{.resolution = mean_edge_length(mesh)};
+  options.topology.enabled = true;
   SurfaceTracker tracker(std::move(mesh), options);
   Row row;
   while (row.passes_to_rest < most_passes_to_rest && tracker.remesh().done_in_all() > 0) ++row.passes_to_rest;
@@ -142,6 +145,7 @@ void print_simulation() {
   constexpr int simulated_steps = 30;
   foamsim::Scene scene = foamsim::built_in_scene("doublebubble");
   scene.options.set("n", 48L, "benchmark");
+  scene.options.set("topology.enabled", true, "benchmark");
   foamsim::Simulation simulation = foamsim::make_simulation(scene);
   foamsim::StageTimes times;
   lostopos::MoveStatistics move;

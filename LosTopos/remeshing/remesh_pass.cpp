@@ -2,28 +2,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "LosTopos/geometry/triangle_quality.h"
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/remeshing/stopwatch.h"
 
 namespace lostopos {
 namespace {
-
-/// Adds the wall time of its life to a sum.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_;
-};
 
 /// Whether the angle between u and v is less than one with this cosine, without a root or a division.
 bool is_sharper(const Vec3& u, const Vec3& v, double cosine) {

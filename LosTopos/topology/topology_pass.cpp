@@ -1,10 +1,10 @@
 #include "LosTopos/topology/topology_pass.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "LosTopos/geometry/distance.h"
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/remeshing/stopwatch.h"
 #include "LosTopos/topology/region_parts.h"
 
 namespace lostopos {
@@ -20,19 +20,6 @@ constexpr double edge_merge_share = 0.5;
 // Where two stars have a vertex in common, only films that lie over each other are snapped, not neighbours in a film:
 // the line between the two places has to be within 37° of both normals.
 constexpr double min_transversality = 0.8;
-
-/// Adds the wall time of its life to a sum.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_;
-};
 
 template <class T>
 void sort_unique(std::vector<T>& values) {

@@ -28,7 +28,11 @@ class StabilityCases : public testing::TestWithParam<std::string> {
     if (GetParam() == "meeting") all[0].samples.back().topology_totals.snaps = 3;
     if (GetParam() == "t1-threshold")
       for (std::size_t i = 1; i < all[0].samples.size(); ++i) all[0].samples[i].topology_totals.separations = 7;
-    if (GetParam() == "shrinking") all[0].samples.back().volumes = {{lostopos::air, -4.0}, {lostopos::Region(2), 4.0}};
+    if (GetParam() == "shrinking") {
+      for (Metrics& m : all[0].samples)
+        m.volumes = {{lostopos::air, -4.1}, {lostopos::Region(1), 0.1}, {lostopos::Region(2), 4.0}};
+      all[0].samples.back().volumes = {{lostopos::air, -4.0}, {lostopos::Region(2), 4.0}};
+    }
     if (GetParam() == "scaled") {
       all[1] = scaled(all[1], 0x1p20);
       all[2] = scaled(all[2], 0x1p-20);
@@ -102,6 +106,9 @@ TEST_P(StabilityCases, FailWhatTheyAreThereToFind) {
     broken[0].samples.back().topology_totals.separations = 9;  // two of them late
   } else if (name == "shrinking") {
     broken[0].samples.back().volumes = {{lostopos::air, -4.0}, {lostopos::Region(1), 1e-9}, {lostopos::Region(2), 4.0}};
+    auto jumping = good();
+    jumping[0].samples.back().volumes = {{lostopos::air, -3.9}, {lostopos::Region(2), 3.9}};
+    EXPECT_FALSE(passes(jumping));
   } else {
     broken[0].samples.back().energy *= 1.5;
     auto drifting = good();

@@ -157,7 +157,7 @@ std::vector<std::uint64_t> bits_of_meeting(std::size_t threads) {
   Scene scene = built_in_scene("twobubbles");
   scene.options.set("n", 2L, "test");
   Simulation simulation = make_simulation(scene);
-  for (int i = 0; i < 90; ++i) simulation.step();
+  for (int i = 0; i < 140; ++i) simulation.step();
   EXPECT_GT(simulation.topology_totals().snaps, 0U) << "they have met within these steps";
   std::vector<std::uint64_t> bits;
   for (Vertex v : simulation.mesh().vertices()) {

@@ -43,6 +43,12 @@ Drive mean_curvature(const OptionSet& options, const SurfaceMesh&) {
   return {std::make_unique<MeanCurvatureFlow>(), options.number("dt")};
 }
 
+void hold_air_side(const OptionSet&, SurfaceTracker& tracker) {
+  for (lostopos::Triangle t : tracker.mesh().triangles())
+    if (tracker.mesh().labels(t).has(lostopos::air))
+      for (lostopos::Vertex v : tracker.mesh().vertices(t)) tracker.held()[v] = lostopos::hold_all;
+}
+
 SceneEntry t1() {
   return {"T1",
           "two junction lines come together and part the other way",
@@ -76,11 +82,34 @@ SceneEntry t2() {
       under_tension(40),
       [](const OptionSet& options) { return nested_tetrahedra(options.number("size"), options.whole("subdivisions")); },
       mean_curvature,
-      [](const OptionSet&, SurfaceTracker& tracker) {
-        for (lostopos::Triangle t : tracker.mesh().triangles())
-          if (tracker.mesh().labels(t).has(lostopos::air))
-            for (lostopos::Vertex v : tracker.mesh().vertices(t)) tracker.held()[v] = lostopos::hold_all;
-      }};
+      hold_air_side};
+}
+
+SceneEntry prism() {
+  return {"prism",
+          "films in a triangular prism: the edge in the middle becomes a face, or the face an edge, as the height asks",
+          {subdivisions(3),
+           time_step(0.002),
+           {"middle", std::string("edge"), "what is in the middle at the start", "edge or face",
+            [](const lostopos::OptionValue& value) {
+              const auto& word = std::get<std::string>(value);
+              return word == "edge" || word == "face";
+            }},
+           positive_number("height", 0.25, "of the prism, whose triangles have sides of 1"),
+           positive_number("size", 0.12, "of the edge or the face's sides at the start")},
+          under_tension(100),
+          [](const OptionSet& options) {
+            const bool edge = options.word("middle") == "edge";
+            const double limit = edge ? options.number("height") : 1;
+            if (!(options.number("size") < limit))
+              throw lostopos::InputError("size has to be less than " + std::to_string(limit));
+            return film_prism({.height = options.number("height"),
+                               .middle = edge ? PrismMiddle::edge : PrismMiddle::face,
+                               .size = options.number("size"),
+                               .subdivisions = options.whole("subdivisions")});
+          },
+          mean_curvature,
+          hold_air_side};
 }
 
 SceneEntry mcf() {
@@ -128,7 +157,7 @@ SceneEntry catenoid() {
 
 std::vector<SceneEntry> film_scenes() {
   std::vector<SceneEntry> scenes;
-  for (auto make : {t1, t2, mcf, catenoid}) scenes.push_back(make());
+  for (auto make : {t1, t2, prism, mcf, catenoid}) scenes.push_back(make());
   return scenes;
 }
 

@@ -63,6 +63,44 @@ SurfaceMesh nested_tetrahedra(double size, long subdivisions) {
   return triangulated(films, subdivisions);
 }
 
+SurfaceMesh film_prism(const FilmPrismOptions& options) {
+  const bool edge = options.middle == PrismMiddle::edge;
+  FilmPolygons films;
+  const auto add_triangle = [&films](double side, double z) {
+    const double radius = side / std::sqrt(3.0);
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2 * std::numbers::pi * k / 3;
+      films.corners.push_back({{radius * std::cos(angle), radius * std::sin(angle), z}});
+    }
+  };
+  // Corners 0 to 2 of the top, 3 to 5 of the bottom, counter-clockwise from above; then the middle's.
+  add_triangle(1, options.height / 2);
+  add_triangle(1, -options.height / 2);
+  if (edge) {
+    for (double end : {0.5, -0.5}) films.corners.push_back({{0, 0, end * options.size}});
+  } else {
+    add_triangle(options.size, 0);
+  }
+  const Region above(1), below(2);
+  const auto side = [](std::size_t k) { return Region(3 + k % 3); };
+  films.films = {{{0, 1, 2}, {above, lostopos::air}}, {{5, 4, 3}, {below, lostopos::air}}};
+  if (!edge) films.films.push_back({{6, 7, 8}, {below, above}});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    films.films.push_back({{k, k + 3, next + 3, next}, {side(k), lostopos::air}});
+    if (edge) {
+      films.films.push_back({{k, next, 6}, {side(k), above}});
+      films.films.push_back({{k + 3, 7, next + 3}, {side(k), below}});
+      films.films.push_back({{k, 6, 7, k + 3}, {side(k), side(k + 2)}});
+    } else {
+      films.films.push_back({{k, next, next + 6, k + 6}, {side(k), above}});
+      films.films.push_back({{k + 3, k + 6, next + 6, next + 3}, {side(k), below}});
+      films.films.push_back({{k, k + 6, k + 3}, {side(k), side(k + 2)}});
+    }
+  }
+  return triangulated(films, options.subdivisions);
+}
+
 SurfaceMesh open_tube(double radius, double half_length, long segments) {
   const double side = 2 * radius * std::sin(std::numbers::pi / static_cast<double>(segments));
   const long rows = 2 * std::max(1L, std::lround(half_length / side));

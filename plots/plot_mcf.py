@@ -3,7 +3,7 @@
 
 usage: plot_mcf.py RUN_DIR [OUT.png] [--every STEPS]
 
-Cells that touch the walls are left out. Under mean curvature flow of films of tension 1 the growth of a cell of volume V
+Cells inside and cells at a wall are drawn apart. Under mean curvature flow of films of tension 1 the growth of a cell of volume V
 goes as V^(1/3); plotted is V^(-1/3) dV/dt, the three-dimensional counterpart of von Neumann's and Mullins' law
 (MacPherson and Srolovitz 2007): cells with few faces shrink, cells with many grow.
 """

@@ -25,6 +25,7 @@ void print(const std::vector<RobustnessSummary>& summaries) {
 }
 
 int study(const Arguments& arguments) {
+  check(arguments.options);  // Before the table of an earlier study is replaced.
   std::optional<lostopos::CsvTable> table;
   if (!arguments.out.empty()) table.emplace(arguments.out, robustness_csv_header());
   const console::InterruptGuard guard;

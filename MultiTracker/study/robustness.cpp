@@ -63,7 +63,9 @@ RobustnessRun read(const ChildResult& child) {
   return run;
 }
 
-void require_usable(const RobustnessOptions& options) {
+}  // namespace
+
+void check(const RobustnessOptions& options) {
   if (options.seeds < 1 || !(options.total_motion > 0) || !(options.time_limit > 0))
     throw lostopos::InputError("a robustness study needs seeds >= 1, a total motion > 0 and a time limit > 0");
   for (double step : options.steps)
@@ -75,10 +77,8 @@ void require_usable(const RobustnessOptions& options) {
     for (double step : options.steps) options_of_run(options, spheres, step, 1);
 }
 
-}  // namespace
-
 std::vector<RobustnessRun> run_robustness(const RobustnessOptions& options, const RobustnessHooks& hooks) {
-  require_usable(options);
+  check(options);
   std::vector<RobustnessRun> runs;
   const std::size_t count = options.spheres.size() * options.steps.size() * static_cast<std::size_t>(options.seeds);
   for (long spheres : options.spheres)

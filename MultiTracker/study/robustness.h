@@ -47,7 +47,10 @@ struct RobustnessHooks {
   std::function<bool()> interrupted;
 };
 
-/// Throws lostopos::InputError for options that make no sense, before the first run. Ends early, with the runs done so
+/// Throws lostopos::InputError for options that make no sense.
+void check(const RobustnessOptions& options);
+
+/// Throws as `check`, before the first run. Ends early, with the runs done so
 /// far, when interrupted.
 std::vector<RobustnessRun> run_robustness(const RobustnessOptions& options, const RobustnessHooks& hooks = {});
 

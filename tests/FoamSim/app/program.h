@@ -1,32 +1,15 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
+#include "tests/support/run_program.h"
 
 namespace foamsim::test {
 
-struct ProgramResult {
-  int exit_code;
-  std::string out, error;
-};
+using ::test::ProgramResult;
+using ::test::read_file;
+using ::test::ScratchFolder;
 
-/// Runs the foamsim program through a shell with these arguments; `before` is put in front of it (ulimit …;).
-ProgramResult run_foamsim(const std::string& arguments, const std::string& before = "");
-
-std::string read_file(const std::filesystem::path& file);
-
-/// A folder that is removed with everything in it at the end.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder();
-  std::filesystem::path path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
+inline ProgramResult run_foamsim(const std::string& arguments, const std::string& before = "") {
+  return ::test::run_program(FOAMSIM_PROGRAM, arguments, before);
+}
 
 }  // namespace foamsim::test

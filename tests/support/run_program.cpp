@@ -1,4 +1,4 @@
-#include "program.h"
+#include "tests/support/run_program.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace foamsim::test {
+namespace test {
 
 namespace fs = std::filesystem;
 
@@ -28,13 +28,13 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-ProgramResult run_foamsim(const std::string& arguments, const std::string& before) {
+ProgramResult run_program(const std::string& program, const std::string& arguments, const std::string& before) {
   const ScratchFolder scratch;
-  const std::string command = before + " " FOAMSIM_PROGRAM " " + arguments + " >" + (scratch / "out") + " 2>" +
-                              (scratch / "error") + " </dev/null";
+  const std::string command =
+      before + " " + program + " " + arguments + " >" + (scratch / "out") + " 2>" + (scratch / "error") + " </dev/null";
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, read_file(scratch / "out"), read_file(scratch / "error")};
 }
 
-}  // namespace foamsim::test
+}  // namespace test

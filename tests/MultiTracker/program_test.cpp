@@ -1,0 +1,126 @@
+// The multitracker program as a user meets it: bad input, interruption, what a run leaves, threads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace multitracker {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::test::ProgramResult;
+using ::test::read_file;
+using ::test::ScratchFolder;
+
+ProgramResult run_multitracker(const std::string& arguments, const std::string& before = "") {
+  return ::test::run_program(MULTITRACKER_PROGRAM, arguments, before);
+}
+
+struct BadCase {
+  std::string name, arguments;
+  std::vector<std::string> message_has;
+};
+
+void PrintTo(const BadCase& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+class BadInput : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadInput, IsOneLineThatHelpsAndLeavesNothing) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_multitracker(GetParam().arguments + " --out " + (scratch / "run"));
+  EXPECT_EQ(result.exit_code, 2) << result.error;
+  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  for (const std::string& part : GetParam().message_has)
+    EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
+  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Run, BadInput,
+    testing::Values(BadCase{"unknown_scene", "run enrigth", {"unknown scene 'enrigth'", "did you mean 'enright'"}},
+                    BadCase{"unknown_option", "run T1 --set gapp=0.1", {"gapp", "did you mean 'gap'"}},
+                    BadCase{"option_out_of_range", "run T1 --set gap=5", {"gap has to be at most"}},
+                    BadCase{"option_not_a_number", "run T1 --set gap=wide", {"gap", "'wide' is not a number"}},
+                    BadCase{"unknown_layout", "run normal-flow --set layout=line", {"layout = line", "grid or random"}},
+                    BadCase{"unknown_rule", "run T1 --set topology.separation=speed", {"topology.separation", "area"}},
+                    BadCase{"negative_steps", "run T1 --steps -1", {"--steps", ">= 0"}},
+                    BadCase{"negative_seed", "run T1 --seed -1", {"--seed", ">= 0"}},
+                    BadCase{"missing_mesh", "run enright --mesh nowhere.ply", {"nowhere.ply"}},
+                    BadCase{"unknown_format", "run enright --mesh " MULTITRACKER_PROGRAM, {"known are .ply"}},
+                    BadCase{"no_spheres", "study robustness --spheres 0", {"--spheres", ">= 1"}},
+                    BadCase{"no_step", "study robustness --steps-of 0", {"--steps-of 0", "> 0"}},
+                    BadCase{"no_scene", "run", {"scene"}}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(BadInput, AFullFolderIsKeptUnlessForced) {
+  const ScratchFolder scratch;
+  const std::string command = "run T1 --steps 2 --quiet --out " + (scratch / "run");
+  ASSERT_EQ(run_multitracker(command).exit_code, 0);
+  const std::string metrics = read_file(scratch / "run/metrics.csv");
+  EXPECT_EQ(run_multitracker(command).exit_code, 2);
+  EXPECT_EQ(read_file(scratch / "run/metrics.csv"), metrics);
+  EXPECT_EQ(run_multitracker(command + " --force").exit_code, 0);
+}
+
+TEST(BadInput, AMistypedStudyKeepsTheTableOfTheLast) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "table.csv") << "of last night\n";
+  EXPECT_EQ(run_multitracker("study robustness --seeds 0 --out " + (scratch / "table.csv")).exit_code, 2);
+  EXPECT_EQ(read_file(scratch / "table.csv"), "of last night\n");
+}
+
+TEST(BadInput, AMeshWhoseSurfaceIsDamagedIsRefused) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "cut.ply") << "ply\nformat ascii 1.0\nelement vertex 3\n";
+  const ProgramResult result = run_multitracker("run enright --mesh " + (scratch / "cut.ply"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.error.find("line 4"), std::string::npos) << result.error;
+}
+
+TEST(Interrupted, FinishesTheStepAndKeepsWhatThereIs) {
+  const ScratchFolder scratch;
+  const ProgramResult result =
+      run_multitracker("run noise --steps 1000000 --out " + (scratch / "run"), "timeout --preserve-status -s INT 2");
+  EXPECT_EQ(result.exit_code, 130) << result.error;
+  const json run = json::parse(read_file(scratch / "run/run.json"));
+  EXPECT_EQ(run["ended"], "interrupted");
+  // The last frame starts another run.
+  const std::string last = run["last_frame"].get<std::string>();
+  const fs::path frame = scratch.path() / "run/frames" / fs::path(last).filename();
+  EXPECT_EQ(run_multitracker("run noise --steps 1 --mesh " + frame.string()).exit_code, 0);
+}
+
+TEST(Run, HasTheSameBitsWithOneThreadAndWithTwo) {
+  const ScratchFolder scratch;
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(run_multitracker("run normal-flow --steps 25 --set step=0.1 --quiet --threads " + std::string(threads) +
+                               " --out " + (scratch / threads))
+                  .exit_code,
+              0);
+  for (const char* file : {"/events.csv", "/volumes.csv", "/frames/frame_000025.ply"}) {
+    const std::string one = read_file(scratch / "1" + file);
+    EXPECT_FALSE(one.empty());
+    EXPECT_TRUE(one == read_file(scratch / "2" + file)) << file;
+  }
+}
+
+TEST(Events, NameStepTimeKindRegionsAndPosition) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_multitracker("run T1 --set gap=0 --steps 5 --quiet --out " + (scratch / "run")).exit_code, 0);
+  std::ifstream in(scratch / "run/events.csv");
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "step,time,kind,regions,x,y,z");
+  std::size_t separations = 0;
+  while (std::getline(in, line)) separations += line.find(",separation,") != std::string::npos;
+  EXPECT_GT(separations, 0u);
+}
+
+}  // namespace
+}  // namespace multitracker

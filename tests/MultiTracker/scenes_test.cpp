@@ -50,7 +50,7 @@ TEST(Scenes, AnUnknownNameOrKeyIsAnErrorWithTheNearest) {
 TEST(Scenes, HaveTheDefaultsOfPlainTrackingOrOfFilmsUnderTension) {
   for (const SceneEntry& scene : scene_entries()) {
     const lostopos::OptionSet options = options_of(scene);
-    const std::set<std::string_view> tension{"T1", "T2", "mcf", "catenoid"};
+    const std::set<std::string_view> tension{"T1", "T2", "prism", "mcf", "catenoid"};
     const bool under_tension = tension.contains(scene.name);
     EXPECT_EQ(options.word("topology.separation"), under_tension ? "area" : "flow") << scene.name;
     EXPECT_EQ(options.number("remeshing.max_volume_change"), under_tension ? 1e-2 : 1e-4) << scene.name;

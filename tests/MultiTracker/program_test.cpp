@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using ::test::BadCase;
 using ::test::ProgramResult;
 using ::test::read_file;
 using ::test::ScratchFolder;
@@ -20,25 +21,10 @@ ProgramResult run_multitracker(const std::string& arguments, const std::string& 
   return ::test::run_program(MULTITRACKER_PROGRAM, arguments, before);
 }
 
-struct BadCase {
-  std::string name, arguments;
-  std::vector<std::string> message_has;
-};
-
-void PrintTo(const BadCase& bad, std::ostream* out) {
-  *out << bad.name;
-}
-
 class BadInput : public testing::TestWithParam<BadCase> {};
 
 TEST_P(BadInput, IsOneLineThatHelpsAndLeavesNothing) {
-  const ScratchFolder scratch;
-  const ProgramResult result = run_multitracker(GetParam().arguments + " --out " + (scratch / "run"));
-  EXPECT_EQ(result.exit_code, 2) << result.error;
-  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
-  for (const std::string& part : GetParam().message_has)
-    EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
-  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+  ::test::expect_refused(MULTITRACKER_PROGRAM, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -81,6 +67,14 @@ TEST(BadInput, AMeshWhoseSurfaceIsDamagedIsRefused) {
   const ProgramResult result = run_multitracker("run enright --mesh " + (scratch / "cut.ply"));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.error.find("line 4"), std::string::npos) << result.error;
+}
+
+TEST(FullDisk, EndsTheRunWithAMessage) {
+  const ScratchFolder scratch;
+  const ProgramResult result =
+      run_multitracker("run enright --steps 5 --quiet --out " + (scratch / "run"), "ulimit -f 20;");
+  EXPECT_EQ(result.exit_code, 2) << result.error;
+  EXPECT_NE(result.error.find("cannot write"), std::string::npos) << result.error;
 }
 
 TEST(Interrupted, FinishesTheStepAndKeepsWhatThereIs) {

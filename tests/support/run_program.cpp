@@ -1,8 +1,9 @@
 #include "tests/support/run_program.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -18,16 +19,6 @@ std::string read_file(const fs::path& file) {
   return text.str();
 }
 
-ScratchFolder::ScratchFolder() {
-  std::string name = (fs::temp_directory_path() / "foamsim_test_XXXXXX").string();
-  path_ = mkdtemp(name.data());
-}
-
-ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 ProgramResult run_program(const std::string& program, const std::string& arguments, const std::string& before) {
   const ScratchFolder scratch;
   const std::string command =
@@ -35,6 +26,19 @@ ProgramResult run_program(const std::string& program, const std::string& argumen
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, read_file(scratch / "out"), read_file(scratch / "error")};
+}
+
+void PrintTo(const BadCase& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+void expect_refused(const std::string& program, const BadCase& bad) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_program(program, bad.arguments + " --out " + (scratch / "run"));
+  EXPECT_EQ(result.exit_code, 2) << result.error;
+  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  for (const std::string& part : bad.message_has) EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
+  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
 }
 
 }  // namespace test

@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
+
+#include "tests/support/scratch_folder.h"
 
 namespace test {
 
@@ -15,18 +18,15 @@ ProgramResult run_program(const std::string& program, const std::string& argumen
 
 std::string read_file(const std::filesystem::path& file);
 
-/// A folder that is removed with everything in it at the end.
-class ScratchFolder {
- public:
-  ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder();
-  std::filesystem::path path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
+/// A command line that has to be refused.
+struct BadCase {
+  std::string name, arguments;
+  std::vector<std::string> message_has;  ///< parts of the message
 };
+
+void PrintTo(const BadCase& bad, std::ostream* out);
+
+/// Runs the program with the case's arguments and an output folder: one line that has the parts, exit 2, no folder.
+void expect_refused(const std::string& program, const BadCase& bad);
 
 }  // namespace test

@@ -12,25 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct BadCase {
-  std::string name, arguments;
-  std::vector<std::string> message_has;
-};
-
-void PrintTo(const BadCase& bad, std::ostream* out) {
-  *out << bad.name;
-}
+using ::test::BadCase;
 
 class BadInput : public testing::TestWithParam<BadCase> {};
 
 TEST_P(BadInput, IsOneLineThatHelpsAndLeavesNothing) {
-  const ScratchFolder scratch;
-  const ProgramResult result = run_foamsim(GetParam().arguments + " --out " + (scratch / "run"));
-  EXPECT_EQ(result.exit_code, 2) << result.error;
-  EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
-  for (const std::string& part : GetParam().message_has)
-    EXPECT_NE(result.error.find(part), std::string::npos) << result.error;
-  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+  ::test::expect_refused(FOAMSIM_PROGRAM, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(

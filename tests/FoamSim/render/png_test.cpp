@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <png.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include <string>
 
 #include "LosTopos/error.h"
+#include "tests/support/scratch_folder.h"
 
 namespace foamsim::render {
 namespace {
@@ -20,15 +20,10 @@ namespace fs = std::filesystem;
 
 class PngTest : public testing::Test {
  protected:
-  PngTest() {
-    std::string name = (fs::temp_directory_path() / "foamsim_png_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~PngTest() override { fs::remove_all(folder_); }
-
   std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
 
-  fs::path folder_;
+  const ::test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 Image noise(int width, int height, bool opaque) {

@@ -12,22 +12,13 @@
 #include "LosTopos/error.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/surface_data.h"
+#include "tests/support/scratch_folder.h"
 
 namespace lostopos {
 
 /// Each test gets an empty folder of its own, removed afterwards.
 class IoTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "foamsim-io-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   std::filesystem::path write(const std::string& name, const std::string& content) const {
     std::ofstream(path(name), std::ios::binary) << content;
@@ -38,7 +29,8 @@ class IoTest : public ::testing::Test {
         std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
   }
 
-  std::filesystem::path folder_;
+  const ::test::ScratchFolder scratch_;
+  const std::filesystem::path folder_ = scratch_.path();
 };
 
 inline std::string content_of(const std::filesystem::path& path) {

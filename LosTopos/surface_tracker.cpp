@@ -109,7 +109,7 @@ int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done)
   return done.move.fraction > 0 ? 0 : parts;
 }
 
-TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted) {
+TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted, const FollowsMotion& follows) {
   require_resolved(predicted);
   TrackerStep done;
   done.move.fraction = 0;
@@ -123,7 +123,8 @@ TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted) {
   std::vector<Vec3> targets;
   for (int part = 0; part < parts; ++part) {
     targets.assign(mesh_.positions().begin(), mesh_.positions().end());
-    for (Vertex v : mesh_.vertices()) targets[v.index()] += (*motion_)[v] / parts;
+    for (Vertex v : mesh_.vertices())
+      if (part == 0 || !follows || follows(v)) targets[v.index()] += (*motion_)[v] / parts;
     move_part(targets, done);
     improve(done);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +42,10 @@ struct TrackerStep {
   int parts = 1;
 };
 
+/// Whether a vertex still follows what a step has predicted for it, asked after operations have changed what is around
+/// it.
+using FollowsMotion = std::function<bool(Vertex)>;
+
 /// Moves a labelled surface to where a simulation predicts it to be without letting it intersect itself, and keeps its
 /// triangles well shaped: the one class that a simulation talks to.
 class SurfaceTracker {
@@ -63,9 +68,9 @@ class SurfaceTracker {
   /// One step: moves the vertices to, or near, `predicted` (as `advance` does, and throws what it throws), changes the
   /// topology where that is asked for, and remeshes. A motion in which surfaces collide and that is long (see
   /// TopologyOptions::longest_motion) is done in equal parts with topology and remeshing after each, and is carried
-  /// along by the vertices through these operations. When a part throws, the surface is as the parts before have left
-  /// it.
-  TrackerStep step(std::span<const Vec3> predicted);
+  /// along by the vertices through these operations; those that do not follow it any more (`follows`; empty: all do)
+  /// stay for the rest of the step. When a part throws, the surface is as the parts before have left it.
+  TrackerStep step(std::span<const Vec3> predicted, const FollowsMotion& follows = {});
 
   /// Moves every living vertex in a straight line to, or near, its entry of `predicted` (L, indexed by vertex handle,
   /// one per slot). Throws MotionError, with the mesh as it was, when a prediction is not finite or too far

@@ -1,5 +1,7 @@
 #include "LosTopos/mesh/air_side.h"
 
+#include <algorithm>
+
 #include "LosTopos/mesh/measures.h"
 
 namespace lostopos {
@@ -20,6 +22,10 @@ Vec3 air_side_normal(const SurfaceMesh& mesh, Vertex v) {
   const Vec3 sum = air_side_area_vector(mesh, v);
   const double length = sum.norm();
   return length > 0 ? Vec3(sum / length) : Vec3::Zero();
+}
+
+bool touches_air(const SurfaceMesh& mesh, Vertex v) {
+  return std::ranges::any_of(mesh.triangles(v), [&](Triangle t) { return mesh.labels(t).has(air); });
 }
 
 AreaBySide area_by_side(const SurfaceMesh& mesh) {

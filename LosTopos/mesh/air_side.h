@@ -12,6 +12,9 @@ Vec3 air_side_area_vector(const SurfaceMesh& mesh, Vertex v);
 /// triangles cancel each other (a film with air on both sides cannot be: its labels would be equal).
 Vec3 air_side_normal(const SurfaceMesh& mesh, Vertex v);
 
+/// Whether a triangle at v touches the air.
+bool touches_air(const SurfaceMesh& mesh, Vertex v);
+
 /// Area of the triangles that touch the air (L²), and of those that separate two other regions.
 struct AreaBySide {
   double air_side = 0, shared = 0;

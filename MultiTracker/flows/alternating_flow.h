@@ -14,8 +14,11 @@ class AlternatingFlow final : public SurfaceFlow {
   AlternatingFlow(std::vector<std::unique_ptr<SurfaceFlow>> flows, double duration)
       : flows_(std::move(flows)), duration_(duration) {}
   std::vector<lostopos::Vec3> predicted(const FlowStep& step) const override;
+  bool still_moves(const FlowStep& now, lostopos::Vertex v) const override;
 
  private:
+  const SurfaceFlow& flow_of(const FlowStep& step) const;
+
   std::vector<std::unique_ptr<SurfaceFlow>> flows_;
   double duration_;
 };

@@ -12,4 +12,8 @@ std::vector<lostopos::Vec3> NormalFlow::predicted(const FlowStep& step) const {
   return ends;
 }
 
+bool NormalFlow::still_moves(const FlowStep& now, lostopos::Vertex v) const {
+  return lostopos::touches_air(now.mesh, v);
+}
+
 }  // namespace multitracker

@@ -10,6 +10,8 @@ class NormalFlow final : public SurfaceFlow {
  public:
   explicit NormalFlow(double speed) : speed_(speed) {}  ///< L/T
   std::vector<lostopos::Vec3> predicted(const FlowStep& step) const override;
+  /// Not where films have met: there is no air left to grow into.
+  bool still_moves(const FlowStep& now, lostopos::Vertex v) const override;
 
  private:
   double speed_;

@@ -12,4 +12,8 @@ std::vector<lostopos::Vec3> PulledApartFlow::predicted(const FlowStep& step) con
   return ends;
 }
 
+bool PulledApartFlow::still_moves(const FlowStep& now, lostopos::Vertex v) const {
+  return lostopos::is_held(now.held[v.index()]) || flow_->still_moves(now, v);
+}
+
 }  // namespace multitracker

@@ -13,6 +13,7 @@ class PulledApartFlow final : public SurfaceFlow {
   /// `speed`: of either side, L/T.
   PulledApartFlow(std::unique_ptr<SurfaceFlow> flow, double speed) : flow_(std::move(flow)), speed_(speed) {}
   std::vector<lostopos::Vec3> predicted(const FlowStep& step) const override;
+  bool still_moves(const FlowStep& now, lostopos::Vertex v) const override;
 
  private:
   std::unique_ptr<SurfaceFlow> flow_;

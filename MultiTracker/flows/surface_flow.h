@@ -27,6 +27,10 @@ class SurfaceFlow {
   /// Where every vertex is to be at the end of the step (L), one entry per vertex slot. Held coordinates stay, unless
   /// the flow is one that moves what is held.
   virtual std::vector<lostopos::Vec3> predicted(const FlowStep& step) const = 0;
+
+  /// Whether a vertex still follows its prediction when the surface has changed around it within the step, to be as
+  /// `now` says (of `now`, only mesh and held are of another moment than the step's start).
+  virtual bool still_moves(const FlowStep& /*now*/, lostopos::Vertex) const { return true; }
 };
 
 }  // namespace multitracker

@@ -20,10 +20,10 @@ Tracking::Tracking(const SceneEntry& scene, const OptionSet& options, SurfaceMes
 
 void Tracking::step() {
   const auto begun = std::chrono::steady_clock::now();
-  const std::span<const char> held = tracker_.held().slots();
-  const auto predicted = drive_.flow->predicted({mesh(), held, metrics_.time, drive_.dt});
+  const auto now = [this] { return FlowStep{mesh(), tracker_.held().slots(), metrics_.time, drive_.dt}; };
+  const auto predicted = drive_.flow->predicted(now());
   const double flow_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  last_ = tracker_.step(predicted);
+  last_ = tracker_.step(predicted, [&](lostopos::Vertex v) { return drive_.flow->still_moves(now(), v); });
   const long step = metrics_.step + 1;
   metrics_ = measure(mesh(), last_, start_volumes_);
   metrics_.step = step;

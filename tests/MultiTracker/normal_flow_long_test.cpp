@@ -36,9 +36,13 @@ TEST_P(AllSucceed, ForTenSeeds) {
 INSTANTIATE_TEST_SUITE_P(NormalFlow, AllSucceed,
                          testing::Combine(testing::Values("grid", "random"), testing::Values(8L, 27L, 64L, 125L)));
 
-TEST(NormalFlow, SharesAsMuchAreaWhateverTheStep) {
+class SharesAsMuchArea : public testing::TestWithParam<std::pair<long, long>> {};
+
+// 5.5 L of growth, in steps of 0.05, 0.2, 0.5 and 1 L.
+TEST_P(SharesAsMuchArea, WhateverTheStep) {
   RobustnessOptions options = options_of_study();
-  options.spheres = {8};
+  options.spheres = {GetParam().first};
+  options.seeds = GetParam().second;
   const auto summaries = summarise(run_robustness(options));
   ASSERT_EQ(summaries.size(), 4u);
   for (const RobustnessSummary& s : summaries) {
@@ -48,6 +52,10 @@ TEST(NormalFlow, SharesAsMuchAreaWhateverTheStep) {
     EXPECT_NEAR(s.shared_area / summaries[0].shared_area, 1, 0.15) << "step " << s.step << " L";
   }
 }
+
+// Spheres and seeds.
+INSTANTIATE_TEST_SUITE_P(NormalFlow, SharesAsMuchArea,
+                         testing::Values(std::pair(8L, 10L), std::pair(27L, 3L), std::pair(64L, 1L)));
 
 }  // namespace
 }  // namespace multitracker

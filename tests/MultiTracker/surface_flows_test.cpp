@@ -59,6 +59,7 @@ TEST(NormalFlow, FilmsBetweenRegionsStay) {
     const bool at_air =
         std::ranges::any_of(around, [&](lostopos::Triangle t) { return start.labels(t).has(lostopos::air); });
     EXPECT_NEAR(way, at_air ? 0.01 : 0, 1e-12);
+    EXPECT_EQ(NormalFlow(1).still_moves({start, nothing_held(start), 0, 0.01}, v), at_air);
   }
 }
 

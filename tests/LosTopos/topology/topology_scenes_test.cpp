@@ -53,6 +53,25 @@ TEST(Topology, TwoBubblesThatArePressedTogetherShareOneWall) {
   for (Edge e : mesh.edges()) EXPECT_LE(mesh.triangles(e).size(), 3u);
 }
 
+// A long step in which surfaces collide is done in parts, and what does not follow it any more stays where the first
+// part has brought it.
+TEST(Topology, VerticesThatStopFollowingALongStepStay) {
+  for (const bool follow : {true, false}) {
+    SurfaceTracker tracker = tracker_of(test::two_spheres(2, 0.2, Region(1), Region(2)), SeparationRule::flow);
+    const auto tip_of = [&] {
+      return std::ranges::max(tracker.mesh().positions(), {}, [](const Vec3& x) { return x[0]; })[0];
+    };
+    const double before = tip_of();
+    std::vector<Vec3> predicted(tracker.mesh().positions().begin(), tracker.mesh().positions().end());
+    for (Vec3& x : predicted) x[0] -= std::copysign(0.2, x[0]);
+    const TrackerStep done = tracker.step(predicted, [follow](Vertex) { return follow; });
+    ASSERT_GT(done.parts, 2);
+    EXPECT_EQ(done.topology[TopologyOperation::snap].done > 0, follow);
+    EXPECT_NEAR(before - tip_of(), follow ? 0.2 : 0.2 / done.parts, 1e-3);
+    EXPECT_EQ(audit(tracker.mesh()).text(), "clean");
+  }
+}
+
 TEST(Topology, TwoSpheresOfOneRegionBecomeOneSurface) {
   SurfaceTracker tracker = tracker_of(test::two_spheres(2, 0.2, Region(1), Region(1)), SeparationRule::flow);
   run(tracker, 15, squeeze);

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Plots the three strategies of figure 1 against time: centroid, outer angle, energy.
+"""Figure 1: labels the frames of the three strategies, and plots centroid, outer angle and energy against time.
 
-usage: plot_figure1.py DIR    reads DIR/compare.csv and DIR/STRATEGY/metrics.csv, writes DIR/figure1_plot.png
+usage: plot_figure1.py DIR    reads DIR/figure1_frames.png, DIR/compare.csv, DIR/STRATEGY/metrics.csv and the names of
+                              DIR/STRATEGY/frames; writes DIR/figure1.png and DIR/figure1_plot.png
 """
 import math
 import sys
@@ -15,9 +16,34 @@ import matplotlib.pyplot as plt
 from csv_columns import column, read_rows
 
 
-def main(folder):
+def label_frames(folder, strategies):
+    """The sheet of frames, a row a strategy and a column a time, with the names of both and the outer angle, which swings,
+    as its mean over the second half of the time."""
+    sheet = plt.imread(folder / "figure1_frames.png")
+    height, width = sheet.shape[:2]
+    columns = len(list((folder / strategies[0]["area"] / "frames").iterdir()))
+    last_time = float(strategies[0]["time"])
+    inches = 12
+    figure = plt.figure(figsize=(inches, inches * height / width + 0.3), dpi=width / inches)
+    sheet_height = (inches * height / width) / (inches * height / width + 0.3)
+    axes = figure.add_axes([0, 0, 1, sheet_height])
+    axes.imshow(sheet, aspect="auto", extent=(0, columns, len(strategies), 0))
+    axes.set_axis_off()
+    for i in range(columns):
+        figure.text((i + 0.5) / columns, (1 + sheet_height) / 2, f"time {last_time * i / (columns - 1):g}",
+                    ha="center", va="center", fontsize=12)
+    for i, row in enumerate(strategies):
+        axes.text(0.05, i + 0.06, row["area"], color="white", va="top", fontsize=13)
+        swing = [float(at["angle_outer_mean_deg"]) for at in read_rows(folder / row["area"] / "metrics.csv")
+                 if float(at["time"]) > last_time / 2]
+        axes.text(columns - 0.05, i + 0.06, f"outer angle {sum(swing) / len(swing):.0f}°", color="white",
+                  ha="right", va="top", fontsize=11)
+    figure.savefig(folder / "figure1.png")
+
+
+def plot_over_time(folder, strategies):
     figure, (drift_axes, angle_axes, energy_axes) = plt.subplots(1, 3, figsize=(13, 4), constrained_layout=True)
-    for row in read_rows(folder / "compare.csv"):
+    for row in strategies:
         rows = read_rows(folder / row["area"] / "metrics.csv")
         time = column(rows, "time")
         path = list(zip(*(column(rows, f"centroid_{axis}") for axis in "xyz")))
@@ -33,6 +59,12 @@ def main(folder):
         axes.grid(alpha=0.3)
         axes.legend()
     figure.savefig(folder / "figure1_plot.png", dpi=150)
+
+
+def main(folder):
+    strategies = read_rows(folder / "compare.csv")
+    label_frames(folder, strategies)
+    plot_over_time(folder, strategies)
 
 
 if __name__ == "__main__":

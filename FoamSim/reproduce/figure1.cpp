@@ -19,11 +19,11 @@ std::vector<ComparedRun> run_figure1(const Figure1Options& options, const RunSet
   return compare_areas(scene, {report_areas.begin(), report_areas.end()}, own, hooks_for);
 }
 
-double drift_ratio(const std::vector<ComparisonRow>& rows) {
-  double naive = 0, others = 0;
-  for (const ComparisonRow& row : rows)
-    (row.area == "naive" ? naive : others) = std::max(row.area == "naive" ? naive : others, row.centroid_drift);
-  return naive / others;
+double drift_ratio(const std::vector<ComparisonRow>& rows, const std::string& area) {
+  const auto drift_of = [&](const std::string& name) {
+    return std::ranges::find(rows, name, &ComparisonRow::area)->centroid_drift;
+  };
+  return drift_of("naive") / drift_of(area);
 }
 
 }  // namespace foamsim

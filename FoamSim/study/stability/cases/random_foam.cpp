@@ -1,16 +1,25 @@
+#include <cmath>
+#include <numbers>
+
 #include "FoamSim/study/stability/cases/cases.h"
 #include "FoamSim/study/stability/motions.h"
+#include "FoamSim/study/stability/shapes/border_edits.h"
 #include "LosTopos/shapes/voronoi_foam.h"
 
 namespace foamsim::stability {
 namespace {
 
+constexpr long cells = 30;
+
+// A cube of bubbles that have the volume of a ball of radius 1 each.
+lostopos::SurfaceMesh foam() {
+  lostopos::SurfaceMesh mesh = lostopos::voronoi_foam({.cells = cells, .seed = 1, .subdivisions = 1});
+  transform(mesh, std::cbrt(4 * std::numbers::pi / 3 * cells), lostopos::Vec3::Zero());
+  return mesh;
+}
+
 std::vector<CaseRun> runs(const CaseSetup& setup) {
-  // Bubbles of volume 1/30: radius 0.2, time scale √(r³/σ) = 0.09.
-  auto start = [setup] {
-    return simulated(setup, lostopos::voronoi_foam({.cells = 30, .seed = 1, .subdivisions = 1}), {.dt = 0.001});
-  };
-  return {{"", start, scaled_steps(2000, setup)}};
+  return {{"", [setup] { return simulated(setup, foam()); }, scaled_steps(2000, setup)}};
 }
 
 Verdict judge(std::span<const Trajectory> t) {
@@ -25,7 +34,7 @@ Verdict judge(std::span<const Trajectory> t) {
 
 StabilityCase random_foam() {
   return {.name = "foam",
-          .summary = "a random foam of 30 bubbles for 2,000 steps of 0.001",
+          .summary = "a random foam of 30 bubbles of radius 1 for 2,000 steps",
           .criterion = "energy, volumes and impulse within the limits of physics",
           .strategies = Strategies::averaged_only,
           .remeshing = Remeshing::on_only,

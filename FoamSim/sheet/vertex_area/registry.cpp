@@ -4,6 +4,7 @@
 
 #include "FoamSim/names/nearest_name.h"
 #include "FoamSim/sheet/vertex_area/averaged.h"
+#include "FoamSim/sheet/vertex_area/border_length.h"
 #include "FoamSim/sheet/vertex_area/constant_edge.h"
 #include "FoamSim/sheet/vertex_area/naive.h"
 
@@ -20,6 +21,8 @@ constexpr std::array strategies{
                     [](Options o) -> Made { return std::make_unique<ConstantEdgeArea>(o.phi, o.resolution); }},
     VertexAreaEntry{"averaged", "mean over the regions; stable, angles converge to 120 degrees",
                     [](Options) -> Made { return std::make_unique<AveragedArea>(); }},
+    VertexAreaEntry{"border-length", "averaged, shared out by border length; balanced at Plateau vertices too",
+                    [](Options) -> Made { return std::make_unique<BorderLengthArea>(); }},
 };
 
 }  // namespace

@@ -22,7 +22,9 @@ struct CaseRun {
   long steps;
 };
 
-enum class Strategies { all, averaged_only, none };  ///< none: the motion is prescribed and no strategy acts
+/// Averaging: `averaged` and `border-length`, where the others are known to come apart. None: the motion is prescribed
+/// and no strategy acts.
+enum class Strategies { all, averaging, none };
 enum class Remeshing { on_and_off, on_only };
 
 /// A named hard case: what runs, and what has to hold.

@@ -23,9 +23,11 @@ std::vector<std::string> areas_for(const StabilityCase& what, const StabilityOpt
   switch (what.strategies) {
     case Strategies::all:
       return o.areas;
-    case Strategies::averaged_only:
-      return std::ranges::find(o.areas, "averaged") == o.areas.end() ? std::vector<std::string>{}
-                                                                     : std::vector<std::string>{"averaged"};
+    case Strategies::averaging: {
+      std::vector<std::string> areas = o.areas;
+      std::erase_if(areas, [](const std::string& area) { return area == "naive" || area == "constant-edge"; });
+      return areas;
+    }
     case Strategies::none:
       return {"averaged"};
   }

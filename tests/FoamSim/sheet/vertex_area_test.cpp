@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "FoamSim/scenes/shapes/double_bubble.h"
+#include "FoamSim/scenes/shapes/junction_frames.h"
 #include "FoamSim/sheet/vertex_area/registry.h"
 #include "LosTopos/error.h"
 #include "tests/support/sample_meshes.h"
@@ -73,6 +75,38 @@ TEST_F(VertexAreas, AveragedIsTheMeanOfTheNaiveOnesForEveryRegion) {
   }
 }
 
+TEST_F(VertexAreas, BorderLengthIsTheAveragedOneToTheBitAlongBorders) {
+  for (Vertex v : mesh.vertices()) EXPECT_EQ(areas("border-length", v), areas("averaged", v));
+}
+
+// At a Plateau vertex: the mean is the averaged area, and shares are as the three borders of each region are long.
+TEST_F(VertexAreas, BorderLengthSharesOutAtAPlateauVertex) {
+  mesh = quad_junction_frame(2, 0.1);
+  geometry.update(mesh);
+  std::size_t found = 0;
+  for (Vertex v : mesh.vertices()) {
+    if (geometry.regions(v).size() < 4 || !mesh.is_junction(v)) continue;
+    ++found;
+    const auto shared = areas("border-length", v), averaged = areas("averaged", v);
+    double sum = 0, lengths = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum += shared[i] / 4;
+    EXPECT_NEAR(sum / averaged[0], 1, 1e-14);
+    std::vector<double> length(4);
+    for (Edge e : mesh.edges(v))
+      if (mesh.is_junction(e))
+        for (std::size_t i = 0; i < 4; ++i) {
+          const auto around = mesh.triangles(e);
+          if (std::ranges::none_of(around, [&](Triangle t) { return mesh.labels(t).has(geometry.regions(v)[i]); }))
+            continue;
+          length[i] += geometry.length(e);
+          lengths += geometry.length(e) / 4;
+        }
+    EXPECT_GT(std::ranges::max(length) - std::ranges::min(length), 0.01 * lengths);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(shared[i] / averaged[0], length[i] / lengths, 1e-13);
+  }
+  EXPECT_EQ(found, 1u);
+}
+
 TEST_F(VertexAreas, ConstantEdgeIsPhiTimesMeanEdgeTimesJunctionLength) {
   for (Vertex v : mesh.vertices()) {
     if (!mesh.is_junction(v)) continue;
@@ -96,10 +130,10 @@ TEST_F(VertexAreas, UnknownStrategyNamesTheOnesThereAre) {
   }
 }
 
-TEST_F(VertexAreas, TheReportsThreeStrategiesAreThere) {
+TEST_F(VertexAreas, TheReportsThreeStrategiesAndOneMoreAreThere) {
   std::vector<std::string_view> names;
   for (const VertexAreaEntry& entry : vertex_area_strategies()) names.push_back(entry.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"naive", "constant-edge", "averaged"}));
+  EXPECT_EQ(names, (std::vector<std::string_view>{"naive", "constant-edge", "averaged", "border-length"}));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ StabilityCase random_foam() {
   return {.name = "foam",
           .summary = "a random foam of 30 bubbles of radius 1 for 2,000 steps",
           .criterion = "energy, volumes and impulse within the limits of physics",
-          .strategies = Strategies::averaged_only,
+          .strategies = Strategies::averaging,
           .remeshing = Remeshing::on_only,
           .typical_triangles = 4000,
           .runs = runs,

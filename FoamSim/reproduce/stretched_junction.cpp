@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "FoamSim/options/option_value.h"
+#include "FoamSim/reproduce/report_scene.h"
 #include "FoamSim/sheet/curvature.h"
 #include "FoamSim/sheet/vertex_area/registry.h"
 #include "LosTopos/io/atomic_file.h"
@@ -32,9 +33,8 @@ double StretchedJunctionRow::imbalance() const {
 
 std::vector<StretchedJunctionRow> stretch_junction(const std::vector<double>& stretches) {
   std::vector<StretchedJunctionRow> rows;
-  for (const VertexAreaEntry& entry : vertex_area_strategies())
-    for (double stretch : stretches)
-      rows.push_back({std::string(entry.name), stretch, curvatures(entry.name, stretch)});
+  for (const char* area : report_areas)
+    for (double stretch : stretches) rows.push_back({area, stretch, curvatures(area, stretch)});
   return rows;
 }
 

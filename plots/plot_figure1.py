@@ -34,8 +34,9 @@ def label_frames(folder, strategies):
                     ha="center", va="center", fontsize=12)
     for i, row in enumerate(strategies):
         axes.text(0.05, i + 0.06, row["area"], color="white", va="top", fontsize=13)
-        swing = [float(at["angle_outer_mean_deg"]) for at in read_rows(folder / row["area"] / "metrics.csv")
-                 if float(at["time"]) > last_time / 2]
+        rows = read_rows(folder / row["area"] / "metrics.csv")
+        swing = [angle for time, angle in zip(column(rows, "time"), column(rows, "angle_outer_mean_deg"))
+                 if time > last_time / 2]
         axes.text(columns - 0.05, i + 0.06, f"outer angle {sum(swing) / len(swing):.0f}°", color="white",
                   ha="right", va="top", fontsize=11)
     figure.savefig(folder / "figure1.png")

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "FoamSim/reproduce/report_scene.h"
+#include "LosTopos/error.h"
 
 namespace foamsim {
 
@@ -21,7 +22,9 @@ std::vector<ComparedRun> run_figure1(const Figure1Options& options, const RunSet
 
 double drift_ratio(const std::vector<ComparisonRow>& rows, const std::string& area) {
   const auto drift_of = [&](const std::string& name) {
-    return std::ranges::find(rows, name, &ComparisonRow::area)->centroid_drift;
+    const auto row = std::ranges::find(rows, name, &ComparisonRow::area);
+    if (row == rows.end()) throw lostopos::InputError("figure 1: the comparison has no row of '" + name + "'");
+    return row->centroid_drift;
   };
   return drift_of("naive") / drift_of(area);
 }

@@ -68,6 +68,18 @@ TEST(Robustness, RunsAndSumsUp) {
   EXPECT_EQ(summaries[3].successes, 2);
 }
 
+// Walls that have formed within a long step must not go on moving with what is left of it: they would share 13% more.
+TEST(Robustness, SharesAsMuchAreaInLongStepsAsInShortOnes) {
+  RobustnessOptions options;
+  options.spheres = {8};
+  options.steps = {0.05, 1};
+  options.seeds = 1;
+  const auto runs = run_robustness(options);
+  ASSERT_EQ(runs.size(), 2u);
+  for (const RobustnessRun& run : runs) EXPECT_TRUE(run.success) << run.message;
+  EXPECT_NEAR(runs[1].shared_area / runs[0].shared_area, 1, 0.06);
+}
+
 TEST(Robustness, RefusesBadOptionsBeforeTheFirstRun) {
   RobustnessOptions options;
   options.seeds = 0;

@@ -29,7 +29,7 @@ void BorderLengthArea::evaluate(const VertexStar& star, std::span<double> area) 
   std::ranges::transform(star.regions, area.begin(), [&](lostopos::Region r) { return border_length(star, r); });
   // A region without a border touches the others at the vertex only, as before a T1: there is nothing to share by.
   const double least = std::ranges::min(area),
-               mean = std::reduce(area.begin(), area.end()) / static_cast<double>(area.size());
+               mean = std::accumulate(area.begin(), area.end(), 0.0) / static_cast<double>(area.size());
   for (double& a : area) a = least > 0 ? averaged * a / mean : averaged;
 }
 

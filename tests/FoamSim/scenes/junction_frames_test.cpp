@@ -114,6 +114,11 @@ PlateauVertex plateau_vertex(const SurfaceMesh& mesh) {
   return found.front();
 }
 
+void print(const PlateauVertex& vertex, long n, double resolution) {
+  std::cout << "n = " << n << ": " << vertex.position.norm() / resolution << " of an edge off, angles "
+            << std::ranges::min(vertex.angles) << " to " << std::ranges::max(vertex.angles) << "\n";
+}
+
 TEST(QuadJunctionScene, ComesToRestAtTheTetrahedralAngle) {
   const Rest rest = brought_to_rest("quadjunction", 4, 0.2);
   EXPECT_LT(*junction_angles(rest.simulation.mesh()).rms_deviation_deg, 0.2);
@@ -128,9 +133,7 @@ TEST(QuadJunctionScene, SharingByBorderLengthRestsAtTheTetrahedralAngleWhereBord
   for (long n : {2L, 3L}) {
     const Rest rest = brought_to_rest("quadjunction", n, 0.1, "border-length");
     const PlateauVertex vertex = plateau_vertex(rest.simulation.mesh());
-    std::cout << "n = " << n << ": " << vertex.position.norm() / rest.simulation.resolution()
-              << " of an edge off, angles " << std::ranges::min(vertex.angles) << " to "
-              << std::ranges::max(vertex.angles) << "\n";
+    print(vertex, n, rest.simulation.resolution());
     EXPECT_LT(vertex.position.norm(), 1e-3 * rest.simulation.resolution());
     for (double angle : vertex.angles) EXPECT_NEAR(angle, 109.4712, 0.1);
     EXPECT_NEAR(lostopos::total_area(rest.simulation.mesh()) / flat_quad_area, 1, 1e-6);
@@ -142,9 +145,7 @@ TEST(QuadJunctionScene, RestsWithinAThirdOfAnEdgeWhereBordersAreUneven) {
   for (long n : {2L, 3L}) {
     const Rest rest = brought_to_rest("quadjunction", n, 0.1);
     const PlateauVertex vertex = plateau_vertex(rest.simulation.mesh());
-    std::cout << "n = " << n << ": " << vertex.position.norm() / rest.simulation.resolution()
-              << " of an edge off, angles " << std::ranges::min(vertex.angles) << " to "
-              << std::ranges::max(vertex.angles) << "\n";
+    print(vertex, n, rest.simulation.resolution());
     EXPECT_LT(vertex.position.norm(), rest.simulation.resolution() / 3);
     EXPECT_NEAR(lostopos::total_area(rest.simulation.mesh()) / flat_quad_area, 1, 2e-3);
   }

@@ -36,7 +36,7 @@ SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
     : mesh_(std::move(mesh)), options_(options), hold_(std::make_unique<HoldTransfer>(mesh_)), observers_{hold_.get()} {
   options_.remesh.target_edge = options_.resolution;
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
-    throw InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
+    throw base::InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
   if (options_.remeshing) limits_of(options_.remesh);  // throws where bounds contradict each other
   if (!options_.topology.enabled) return;
   motion_ = std::make_unique<CarriedMotion>(mesh_);

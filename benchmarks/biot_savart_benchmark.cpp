@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "FoamSim/sheet/biot_savart/direct.h"
+#include "FoamSim/sheet/velocity/direct.h"
 
 namespace foamsim {
 namespace {

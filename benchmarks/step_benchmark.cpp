@@ -11,11 +11,11 @@ void double_bubble_step(benchmark::State& state) {
   scene.options.set("n", state.range(0), "benchmark");
   foamsim::Simulation simulation = foamsim::make_simulation(scene);
   const auto volumes = lostopos::region_volumes(simulation.mesh());
-  foamsim::StageTimes times;
+  base::StageTimes times;
   for (auto _ : state) {
     foamsim::StepReport report = simulation.step();
     {
-      const foamsim::StageTimer timer(report.times, "metrics");
+      const base::StageTimer timer(report.times, "metrics");
       benchmark::DoNotOptimize(foamsim::measure(simulation, report, 0, volumes));
     }
     times.add(report.times);

@@ -147,7 +147,7 @@ void print_simulation() {
   scene.options.set("n", 48L, "benchmark");
   scene.options.set("topology.enabled", true, "benchmark");
   foamsim::Simulation simulation = foamsim::make_simulation(scene);
-  foamsim::StageTimes times;
+  base::StageTimes times;
   lostopos::MoveStatistics move;
   lostopos::RemeshStatistics remesh;
   const double start = seconds_now();

@@ -3,10 +3,10 @@ include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FoamSim)
 
-install(TARGETS lostopos multitracker foamsim foamsim_render EXPORT FoamSimTargets
+install(TARGETS base lostopos multitracker foamsim foamsim_studies foamsim_render EXPORT FoamSimTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS foamsim_program multitracker_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(folder LosTopos MultiTracker FoamSim)
+foreach(folder Base LosTopos MultiTracker FoamSim)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/generated/FoamSim/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/FoamSim)

@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/scene_arguments.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/run/compare.h"
-#include "LosTopos/error.h"
 
 namespace foamsim::app {
 namespace {
@@ -44,7 +44,7 @@ int compare(const Arguments& arguments, const std::string& command) {
     print_table(read_comparison(std::filesystem::path(arguments.show) / "compare.csv"));
     return exit_done;
   }
-  if (given.scene.empty()) throw lostopos::InputError("compare needs a scene (see 'foamsim scenes')");
+  if (given.scene.empty()) throw base::InputError("compare needs a scene (see 'foamsim scenes')");
   const Scene scene = given.load();
   RunSettings settings{given.out, given.force, {}, given.stop(), command};
   if (settings.out.empty()) settings.out = std::filesystem::path("out") / ("compare-" + scene.name);

@@ -4,10 +4,10 @@
 #include <csignal>
 #include <new>
 
+#include "Base/error.h"
+#include "Base/names/nearest_name.h"
 #include "FoamSim/app/commands.h"
-#include "FoamSim/names/nearest_name.h"
 #include "FoamSim/version.h"
-#include "LosTopos/error.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ std::string first_unknown_command(const CLI::App& app, int argc, char** argv) {
     names.push_back(command->get_name());
   if (std::ranges::find(names, argv[1]) != names.end()) return {};
   const std::vector<std::string_view> known(names.begin(), names.end());
-  return foamsim::unknown_name_message("command", argv[1], known);
+  return base::unknown_name_message("command", argv[1], known);
 }
 
 int run_program(int argc, char** argv) {
@@ -39,12 +39,12 @@ int run_program(int argc, char** argv) {
   add_convert_command(app, program);
   add_list_commands(app, program);
   if (const std::string message = first_unknown_command(app, argc, argv); !message.empty())
-    throw lostopos::InputError(message);
+    throw base::InputError(message);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    throw lostopos::InputError(std::string(error.what()) + " (see 'foamsim --help')");
+    throw base::InputError(std::string(error.what()) + " (see 'foamsim --help')");
   }
   return program.exit_code;
 }
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run_program(argc, argv);
-  } catch (const lostopos::InputError& error) {
+  } catch (const base::InputError& error) {
     spdlog::error("{}", error.what());
     return exit_bad_input;
   } catch (const std::bad_alloc&) {

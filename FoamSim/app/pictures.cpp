@@ -8,9 +8,9 @@
 #include <array>
 #include <string>
 
+#include "Base/error.h"
 #include "FoamSim/render/compose.h"
 #include "FoamSim/render/png.h"
-#include "LosTopos/error.h"
 #include "LosTopos/io/mesh_file.h"
 
 namespace foamsim::app {

@@ -8,7 +8,7 @@
 
 namespace foamsim::app {
 
-/// Reads a frame (any mesh format) as a surface to draw. Throws lostopos::InputError.
+/// Reads a frame (any mesh format) as a surface to draw. Throws base::InputError.
 render::Surface read_frame(const std::filesystem::path& file);
 
 /// Draws all surfaces with one camera that shows all of them, seen from `direction`.

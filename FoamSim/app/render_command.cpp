@@ -3,11 +3,11 @@
 #include <memory>
 #include <set>
 
+#include "Base/error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/render/png.h"
-#include "LosTopos/error.h"
 
 namespace foamsim::app {
 
@@ -27,13 +27,13 @@ void apply(const Arguments& arguments, render::RenderOptions& options) {
   int used = 0;
   if (std::sscanf(arguments.size.c_str(), "%dx%d%n", &options.width, &options.height, &used) != 2 ||
       static_cast<std::size_t>(used) != arguments.size.size())
-    throw lostopos::InputError("--size " + arguments.size + " is not of the form WIDTHxHEIGHT, like 800x600");
+    throw base::InputError("--size " + arguments.size + " is not of the form WIDTHxHEIGHT, like 800x600");
   const std::map<std::string, render::Background> backgrounds{{"dark", render::Background::dark},
                                                               {"white", render::Background::white},
                                                               {"transparent", render::Background::transparent}};
   const auto it = backgrounds.find(arguments.background);
   if (it == backgrounds.end())
-    throw lostopos::InputError("--background " + arguments.background + " is not one of dark, white, transparent");
+    throw base::InputError("--background " + arguments.background + " is not one of dark, white, transparent");
   options.background = it->second;
 }
 
@@ -43,8 +43,8 @@ std::vector<fs::path> picture_files(const Arguments& arguments) {
   for (const std::string& frame : arguments.frames) {
     files.push_back(fs::path(arguments.out) / (fs::path(frame).stem().string() + ".png"));
     if (!taken.insert(files.back()).second)
-      throw lostopos::InputError("two frames would both become " + files.back().string() +
-                                 "; draw them into different folders");
+      throw base::InputError("two frames would both become " + files.back().string() +
+                             "; draw them into different folders");
   }
   return files;
 }
@@ -58,7 +58,7 @@ void draw(const Arguments& arguments) {
   const ThreadLimit limit(arguments.threads);
   std::error_code error;
   fs::create_directories(arguments.out, error);
-  if (error) throw lostopos::FileError("cannot make the folder " + arguments.out + ": " + error.message());
+  if (error) throw base::FileError("cannot make the folder " + arguments.out + ": " + error.message());
   const Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
   const std::vector<render::Image> images = draw_together(surfaces, options, view);
   for (std::size_t i = 0; i < images.size(); ++i) {

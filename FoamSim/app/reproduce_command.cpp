@@ -1,14 +1,14 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
-#include "FoamSim/reproduce/angle_measures.h"
-#include "FoamSim/reproduce/figure1.h"
-#include "FoamSim/reproduce/stretched_junction.h"
-#include "FoamSim/reproduce/table1.h"
-#include "LosTopos/error.h"
+#include "FoamSim/studies/reproduce/angle_measures.h"
+#include "FoamSim/studies/reproduce/figure1.h"
+#include "FoamSim/studies/reproduce/stretched_junction.h"
+#include "FoamSim/studies/reproduce/table1.h"
 
 namespace foamsim::app {
 
@@ -143,7 +143,7 @@ bool figure3(const Arguments& arguments) {
 }
 
 int reproduce(const Arguments& arguments, const std::string& command) {
-  if (arguments.threads < 0) throw lostopos::InputError("--threads has to be a whole number >= 1");
+  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 1");
   const ThreadLimit limit(arguments.threads);
   const InterruptGuard guard;
   const bool all = arguments.what == "all";

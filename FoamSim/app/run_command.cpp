@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/scene_arguments.h"
 #include "FoamSim/app/session.h"
-#include "LosTopos/error.h"
 
 namespace foamsim::app {
 namespace {
@@ -61,9 +61,9 @@ void print_active(const Scene& scene) {
   std::string effects;
   for (const std::string& effect : scene.options.words("effects")) effects += (effects.empty() ? "" : ", ") + effect;
   std::printf("scene %s; effects: %s\n", scene.name.c_str(), effects.empty() ? "none" : effects.c_str());
-  for (const OptionSpec& spec : scene.options.specs())
+  for (const base::OptionSpec& spec : scene.options.specs())
     if (scene.options.is_set(spec.key))
-      std::printf("  %s = %s\n", spec.key.c_str(), to_text(scene.options.value(spec.key)).c_str());
+      std::printf("  %s = %s\n", spec.key.c_str(), base::to_text(scene.options.value(spec.key)).c_str());
 }
 
 int exit_code_of(const RunOutcome& outcome) {
@@ -75,12 +75,11 @@ int exit_code_of(const RunOutcome& outcome) {
 int run(const Arguments& arguments, const std::string& command) {
   const SceneArguments& given = arguments.scene;
   if (given.scene.empty() && arguments.resume.empty())
-    throw lostopos::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
+    throw base::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
   RunSettings settings{given.out, given.force, arguments.resume, given.stop(), command};
   const bool resuming = !arguments.resume.empty();
   if (resuming && (!given.scene.empty() || !given.assignments.empty() || !given.area.empty() || given.seed))
-    throw lostopos::InputError(
-        "--resume goes on with the scene of the checkpoint; leave out the scene and its options");
+    throw base::InputError("--resume goes on with the scene of the checkpoint; leave out the scene and its options");
   const Scene scene = resuming ? built_in_scene("sphere") : given.load();
   if (settings.out.empty() && !resuming) settings.out = std::filesystem::path("out") / scene.name;
   const ThreadLimit limit(given.threads);

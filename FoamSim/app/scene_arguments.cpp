@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim::app {
 
@@ -38,10 +38,9 @@ Scene SceneArguments::load() const {
 }
 
 StopAt SceneArguments::stop() const {
-  if (time && !(std::isfinite(*time) && *time >= 0))
-    throw lostopos::InputError("--time has to be a finite number >= 0");
-  if (steps && *steps < 0) throw lostopos::InputError("--steps has to be a whole number >= 0");
-  if (threads < 0) throw lostopos::InputError("--threads has to be a whole number >= 1");
+  if (time && !(std::isfinite(*time) && *time >= 0)) throw base::InputError("--time has to be a finite number >= 0");
+  if (steps && *steps < 0) throw base::InputError("--steps has to be a whole number >= 0");
+  if (threads < 0) throw base::InputError("--threads has to be a whole number >= 1");
   return {time, steps, until_rest};
 }
 

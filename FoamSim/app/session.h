@@ -1,20 +1,20 @@
 #pragma once
 
-#include "Console/interrupt_guard.h"
-#include "Console/progress.h"
-#include "Console/thread_limit.h"
+#include "Base/console/interrupt_guard.h"
+#include "Base/console/progress.h"
+#include "Base/console/thread_limit.h"
 #include "FoamSim/run/run.h"
 
 namespace foamsim::app {
 
-using console::InterruptGuard;
-using console::ThreadLimit;
+using base::InterruptGuard;
+using base::ThreadLimit;
 
 /// Shows how far a simulation is.
-class Progress : public console::Progress {
+class Progress : public base::Progress {
  public:
-  using console::Progress::Progress;
-  using console::Progress::show;
+  using base::Progress::Progress;
+  using base::Progress::show;
   void show(const Metrics& metrics, double fraction) { show(metrics.step, metrics.time, fraction); }
 };
 

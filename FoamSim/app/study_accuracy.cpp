@@ -1,11 +1,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/io/csv_table.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
-#include "FoamSim/output/csv_table.h"
-#include "FoamSim/study/accuracy/accuracy_csv.h"
+#include "FoamSim/studies/accuracy/accuracy_csv.h"
 
 namespace foamsim::app {
 
@@ -61,7 +61,7 @@ int study_accuracy_command(Arguments& arguments) {
   require_new_study(out, "accuracy.csv", arguments.force);
   const ThreadLimit limit(arguments.threads);
   const InterruptGuard guard;
-  CsvTable table(out / "accuracy.csv", accuracy_csv_header());
+  base::CsvTable table(out / "accuracy.csv", accuracy_csv_header());
   print_header();
   {
     Progress progress("accuracy", arguments.quiet);

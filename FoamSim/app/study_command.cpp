@@ -1,8 +1,8 @@
 #include <cstdio>
 
+#include "Base/error.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/study_commands.h"
-#include "LosTopos/error.h"
 
 namespace foamsim::app {
 
@@ -10,10 +10,10 @@ namespace fs = std::filesystem;
 
 void require_new_study(const fs::path& out, const std::string& table, bool force) {
   if (!force && fs::exists(out / table))
-    throw lostopos::InputError(out.string() + " already holds a study; give another --out, or --force to replace it");
+    throw base::InputError(out.string() + " already holds a study; give another --out, or --force to replace it");
   std::error_code error;
   fs::create_directories(out, error);
-  if (error) throw lostopos::FileError("cannot make the folder " + out.string() + ": " + error.message());
+  if (error) throw base::FileError("cannot make the folder " + out.string() + ": " + error.message());
 }
 
 void plot_study(const std::string& script, const fs::path& out) {

@@ -12,7 +12,7 @@ void add_study_modes(CLI::App& study, Program& program);
 void add_study_accuracy(CLI::App& study, Program& program);
 void add_study_stability(CLI::App& study, Program& program);
 
-/// Makes the folder of a study whose table is `table`. Throws lostopos::InputError when it holds one and `force` is not
+/// Makes the folder of a study whose table is `table`. Throws base::InputError when it holds one and `force` is not
 /// given, or when it cannot be made.
 void require_new_study(const std::filesystem::path& out, const std::string& table, bool force);
 

@@ -3,7 +3,7 @@
 
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
-#include "FoamSim/study/mode_csv.h"
+#include "FoamSim/studies/modes/mode_csv.h"
 
 namespace foamsim::app {
 

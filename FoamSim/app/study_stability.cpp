@@ -1,11 +1,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/error.h"
+#include "Base/io/csv_table.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
-#include "FoamSim/output/csv_table.h"
-#include "FoamSim/study/stability/stability_csv.h"
-#include "LosTopos/error.h"
+#include "FoamSim/studies/stability/stability_csv.h"
 
 namespace foamsim::app {
 
@@ -58,7 +58,7 @@ std::vector<bool> remeshing_from(const std::string& word) {
   if (word == "both") return {true, false};
   if (word == "on") return {true};
   if (word == "off") return {false};
-  throw lostopos::InputError("--remeshing " + word + " is not known; it has to be on, off or both");
+  throw base::InputError("--remeshing " + word + " is not known; it has to be on, off or both");
 }
 
 int study_stability_command(Arguments& arguments) {
@@ -71,7 +71,7 @@ int study_stability_command(Arguments& arguments) {
   require_new_study(out, "stability.csv", arguments.force);
   const ThreadLimit limit(arguments.threads);
   const InterruptGuard guard;
-  CsvTable table(out / "stability.csv", stability_csv_header());
+  base::CsvTable table(out / "stability.csv", stability_csv_header());
   print_header();
   std::size_t failed = 0, all = 0;
   {

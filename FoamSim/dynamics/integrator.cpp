@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "FoamSim/names/nearest_name.h"
+#include "Base/names/nearest_name.h"
 
 namespace foamsim {
 
@@ -24,7 +24,7 @@ void shift(std::span<const Vec3> x, double h, std::span<const Vec3> u, std::span
 }  // namespace
 
 Integrator integrator_by_name(std::string_view name) {
-  return find_by_name(entries, name, "integrator").integrator;
+  return base::find_by_name(entries, name, "integrator").integrator;
 }
 
 std::string_view name(Integrator integrator) {

@@ -15,7 +15,7 @@ enum class Integrator {
   rk4,    ///< the classical fourth-order Runge–Kutta method: velocities again at three stage positions
 };
 
-/// Throws lostopos::InputError for an unknown name.
+/// Throws base::InputError for an unknown name.
 Integrator integrator_by_name(std::string_view name);
 std::string_view name(Integrator integrator);
 

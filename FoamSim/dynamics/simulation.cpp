@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "FoamSim/metrics/energy.h"
-#include "FoamSim/metrics/region_constants.h"
-#include "LosTopos/error.h"
+#include "Base/error.h"
+#include "FoamSim/sheet/energy.h"
+#include "FoamSim/sheet/region_constants.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -16,10 +16,9 @@ using lostopos::Vertex;
 namespace {
 
 void require_usable(const SurfaceMesh& mesh, const SimulationOptions& options) {
-  if (mesh.triangle_count() == 0)
-    throw lostopos::InputError("the start mesh has no triangles; a film needs at least one");
-  if (!(options.dt > 0)) throw lostopos::InputError("dt has to be > 0");
-  if (options.delta < 0 || options.resolution < 0) throw lostopos::InputError("delta and resolution have to be >= 0");
+  if (mesh.triangle_count() == 0) throw base::InputError("the start mesh has no triangles; a film needs at least one");
+  if (!(options.dt > 0)) throw base::InputError("dt has to be > 0");
+  if (options.delta < 0 || options.resolution < 0) throw base::InputError("delta and resolution have to be >= 0");
 }
 
 std::unique_ptr<lostopos::SurfaceTracker> make_tracker(SurfaceMesh mesh, const SimulationOptions& options) {
@@ -62,7 +61,7 @@ StepReport Simulation::step() {
   const std::vector<double> before = gather_circulation();
   apply_effects(report.times);
   {
-    const StageTimer timer(report.times, "velocity");
+    const base::StageTimer timer(report.times, "velocity");
     const std::vector<double> after = gather_circulation();
     const auto positions = tracker_->mesh().positions();
     const VelocityFunction velocity_at = [this](std::span<const Vec3> x, std::span<Vec3> u) {
@@ -76,7 +75,7 @@ StepReport Simulation::step() {
   move_vertices(report.times);
   track(report);
   {
-    const StageTimer timer(report.times, "geometry");
+    const base::StageTimer timer(report.times, "geometry");
     geometry_.update(tracker_->mesh(), held());
   }
   ++steps_;
@@ -100,9 +99,9 @@ EffectStep Simulation::effect_step() const {
   return {tracker_->mesh(), geometry_, time(), options_.dt, held()};
 }
 
-void Simulation::move_vertices(StageTimes& times) {
+void Simulation::move_vertices(base::StageTimes& times) {
   for (const auto& effect : effects_) {
-    const StageTimer timer(times, effect->name());
+    const base::StageTimer timer(times, effect->name());
     effect->move_vertices(effect_step(), predicted_);
   }
   const auto held_slots = held();
@@ -110,10 +109,10 @@ void Simulation::move_vertices(StageTimes& times) {
     if (held_slots[i] != 0) predicted_[i] = tracker_->mesh().positions()[i];
 }
 
-void Simulation::apply_effects(StageTimes& times) {
+void Simulation::apply_effects(base::StageTimes& times) {
   const EffectStep step = effect_step();
   for (const auto& effect : effects_) {
-    const StageTimer timer(times, effect->name());
+    const base::StageTimer timer(times, effect->name());
     effect->update_circulation(step, *circulation_);
   }
 }

@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
+#include "Base/timing/stage_times.h"
 #include "FoamSim/dynamics/integrator.h"
 #include "FoamSim/dynamics/topology_totals.h"
 #include "FoamSim/effects/effect.h"
-#include "FoamSim/metrics/stage_times.h"
 #include "FoamSim/sheet/circulation_transfer.h"
-#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/surface_geometry.h"
+#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "LosTopos/surface_tracker.h"
 
 namespace foamsim {
@@ -28,7 +28,7 @@ double resolved_resolution(const SimulationOptions& options, const lostopos::Sur
 
 /// What one step did.
 struct StepReport {
-  StageTimes times;  ///< wall seconds by stage
+  base::StageTimes times;  ///< wall seconds by stage
   /// Energies over air density (L⁵/T²) at the start of the step. Circulation is known half a step before (as the step
   /// found it) and half a step after (as the effects left it); the kinetic energy is the bilinear form of the two,
   /// −Σ Γ̄_before (u_after·n) area: like the start's positions second-order accurate in dt, and conserved as leap-frog
@@ -49,7 +49,7 @@ struct StepReport {
 class Simulation {
  public:
   /// Starts at rest (Γ = 0), at time 0. Effects act in the order given. `held` vertices stay where they are: films end
-  /// there at a wire or frame. Throws lostopos::InputError for a mesh without triangles or options out of range.
+  /// there at a wire or frame. Throws base::InputError for a mesh without triangles or options out of range.
   Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects,
              std::span<const lostopos::Vertex> held = {});
 
@@ -79,8 +79,8 @@ class Simulation {
 
  private:
   EffectStep effect_step() const;
-  void apply_effects(StageTimes& times);
-  void move_vertices(StageTimes& times);
+  void apply_effects(base::StageTimes& times);
+  void move_vertices(base::StageTimes& times);
   void track(StepReport& report);
   // Γ̄ of the sheet's triangles as they are now, without region constants.
   std::vector<double> gather_circulation();

@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "Base/options/option_set.h"
 #include "FoamSim/effects/effect.h"
-#include "FoamSim/options/option_set.h"
 
 namespace foamsim {
 
 /// What an effect may be made from: the scene's options and the resolved h̄ (L).
 struct EffectSetup {
-  const OptionSet& options;
+  const base::OptionSet& options;
   double resolution;
 };
 
@@ -20,7 +20,7 @@ struct EffectSetup {
 struct EffectEntry {
   std::string_view name;
   std::string_view summary;
-  std::vector<OptionSpec> options;  ///< the options that only this effect reads
+  std::vector<base::OptionSpec> options;  ///< the options that only this effect reads
   std::unique_ptr<Effect> (*make)(const EffectSetup&);
 };
 
@@ -28,7 +28,7 @@ struct EffectEntry {
 /// table.
 const std::vector<EffectEntry>& effect_entries();
 
-/// The effects with these names, in the registry's order. Throws lostopos::InputError for an unknown name.
+/// The effects with these names, in the registry's order. Throws base::InputError for an unknown name.
 std::vector<std::unique_ptr<Effect>> make_effects(std::span<const std::string> names, const EffectSetup& setup);
 
 }  // namespace foamsim

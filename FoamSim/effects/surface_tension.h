@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "FoamSim/effects/effect.h"
-#include "FoamSim/sheet/curvature.h"
+#include "FoamSim/sheet/pressure/curvature.h"
 
 namespace foamsim {
 

@@ -20,10 +20,10 @@ struct Metrics {
   double impulse_scale = 0;                          ///< Σ|2Γ̄ area|, L⁴/T
   lostopos::Vec3 centroid = lostopos::Vec3::Zero();  ///< area-weighted over films, L
   std::optional<double> angle_rms_deg, angle_outer_mean_deg;
-  double volume_drift_max = 0;                  ///< see largest_volume_drift
-  double triangle_angle_min_deg = 0;            ///< smallest corner angle of any triangle
+  double volume_drift_max = 0;                                          ///< see largest_volume_drift
+  double triangle_angle_min_deg = 0;                                    ///< smallest corner angle of any triangle
   std::optional<double> angle_rms_film_deg, angle_outer_mean_film_deg;  ///< see FilmAngles
-  TopologyTotals topology_totals;               ///< since the start
+  TopologyTotals topology_totals;                                       ///< since the start
   std::size_t incomplete_vertices = 0;          ///< where two regions meet without a common film, after the step
   double topology_seconds = 0;                  ///< wall time of the step's topology passes
   std::vector<lostopos::TopologyEvent> events;  ///< of the step, in order, for events.csv
@@ -33,7 +33,7 @@ struct Metrics {
   /// In the step: remeshing operations done, refused in all, collisions answered.
   std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
   std::size_t collisions = 0, impact_zones = 0;
-  StageTimes times;                             ///< wall seconds of the step by stage
+  base::StageTimes times;                       ///< wall seconds of the step by stage
   lostopos::MoveStatistics move;                ///< for the seconds within the move
   lostopos::RemeshStatistics remesh;            ///< for the seconds of each operation
   std::vector<lostopos::RegionVolume> volumes;  ///< L³, for volumes.csv

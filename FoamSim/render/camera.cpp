@@ -6,17 +6,16 @@
 #include <numbers>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim::render {
 namespace {
 
 using Eigen::Vector3d;
-using lostopos::InputError;
 
 double half_tangent(double degrees) {
   if (!(degrees > 0 && degrees < 170))
-    throw InputError("camera: vertical_fov is " + std::to_string(degrees) + ", must be in (0, 170) degrees");
+    throw base::InputError("camera: vertical_fov is " + std::to_string(degrees) + ", must be in (0, 170) degrees");
   return std::tan(degrees * std::numbers::pi / 360);
 }
 
@@ -28,11 +27,11 @@ Vector3d level_up(const Vector3d& back) {
 
 void check(const FramingOptions& options) {
   if (!options.direction.allFinite() || options.direction.norm() == 0)
-    throw InputError("framing: direction must be finite and not zero");
-  if (!options.up.allFinite()) throw InputError("framing: up must be finite");
+    throw base::InputError("framing: direction must be finite and not zero");
+  if (!options.up.allFinite()) throw base::InputError("framing: up must be finite");
   if (!(std::isfinite(options.aspect) && options.aspect > 0))
-    throw InputError("framing: aspect must be positive and finite");
-  if (!(options.margin >= 0 && options.margin < 0.9)) throw InputError("framing: margin must be in [0, 0.9)");
+    throw base::InputError("framing: aspect must be positive and finite");
+  if (!(options.margin >= 0 && options.margin < 0.9)) throw base::InputError("framing: margin must be in [0, 0.9)");
 }
 
 template <class F>
@@ -46,13 +45,14 @@ void for_each_vertex(std::span<const Surface> surfaces, F&& f) {
 CameraAxes camera_axes(const Camera& camera) {
   const double slope = half_tangent(camera.vertical_fov);
   const Vector3d view = camera.eye - camera.target;
-  if (!view.allFinite() || !camera.up.allFinite()) throw InputError("camera: eye, target and up must be finite");
+  if (!view.allFinite() || !camera.up.allFinite()) throw base::InputError("camera: eye, target and up must be finite");
   const double distance = view.stableNorm();
-  if (!(distance > 0)) throw InputError("camera: eye and target must not coincide");
+  if (!(distance > 0)) throw base::InputError("camera: eye and target must not coincide");
   CameraAxes axes;
   axes.back = view / distance;
   const Vector3d right = camera.up.stableNormalized().cross(axes.back);
-  if (!(right.norm() > 1e-6)) throw InputError("camera: up must not be zero or parallel to the viewing direction");
+  if (!(right.norm() > 1e-6))
+    throw base::InputError("camera: up must not be zero or parallel to the viewing direction");
   axes.right = right.normalized();
   axes.up = axes.back.cross(axes.right);
   axes.half_height = slope * distance;
@@ -72,10 +72,10 @@ Camera framing(std::span<const Surface> surfaces, const FramingOptions& options)
 
   Eigen::AlignedBox3d box;
   for_each_vertex(surfaces, [&](const Vector3d& x) {
-    if (!x.allFinite()) throw InputError("framing: a vertex position is not finite");
+    if (!x.allFinite()) throw base::InputError("framing: a vertex position is not finite");
     box.extend(to_view * x);
   });
-  if (box.isEmpty()) throw InputError("framing: the surfaces have no vertices");
+  if (box.isEmpty()) throw base::InputError("framing: the surfaces have no vertices");
 
   // Smallest distance from the box's centre at which every vertex projects inside the margins.
   const double free = 1 - options.margin;

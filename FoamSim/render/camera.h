@@ -46,12 +46,12 @@ struct CameraAxes {
 };
 
 /// The axes of `camera`.
-/// @throws lostopos::InputError  if the camera is not finite, eye and target coincide, up is parallel to the viewing
+/// @throws base::InputError  if the camera is not finite, eye and target coincide, up is parallel to the viewing
 ///         direction, or the angle is out of range.
 CameraAxes camera_axes(const Camera& camera);
 
 /// One camera whose picture holds every vertex of every surface, for instance of a time series or a row of runs.
-/// @throws lostopos::InputError  if there is no vertex, a position is not finite, or an option is out of range.
+/// @throws base::InputError  if there is no vertex, a position is not finite, or an option is out of range.
 Camera framing(std::span<const Surface> surfaces, const FramingOptions& options = {});
 
 /// The same for one surface.

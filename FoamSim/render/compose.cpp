@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim::render {
 namespace {
@@ -16,7 +16,7 @@ std::vector<int> starts(const std::vector<int>& sizes, const GridOptions& option
   for (const int size : sizes) {
     result.push_back(static_cast<int>(at));
     at += size + static_cast<long long>(options.gap);
-    if (at > std::numeric_limits<int>::max() / 2) throw lostopos::InputError("picture grid: the sheet is too large");
+    if (at > std::numeric_limits<int>::max() / 2) throw base::InputError("picture grid: the sheet is too large");
   }
   result.push_back(static_cast<int>(at - options.gap + options.margin));
   return result;
@@ -31,9 +31,9 @@ void paste(const Image& source, Image& sheet, int left, int top) {
 
 Image grid(std::span<const Image> images, const GridOptions& options) {
   if (options.columns < 0 || options.gap < 0 || options.margin < 0)
-    throw lostopos::InputError("picture grid: columns, gap and margin must be 0 or more");
+    throw base::InputError("picture grid: columns, gap and margin must be 0 or more");
   if (std::all_of(images.begin(), images.end(), [](const Image& i) { return i.empty(); }))
-    throw lostopos::InputError("picture grid: needs at least one picture with pixels");
+    throw base::InputError("picture grid: needs at least one picture with pixels");
   const std::size_t columns = options.columns == 0 ? images.size() : static_cast<std::size_t>(options.columns);
   std::vector<int> widths(std::min(columns, images.size()), 0);
   std::vector<int> heights((images.size() + columns - 1) / columns, 0);

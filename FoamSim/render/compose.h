@@ -20,7 +20,7 @@ struct GridOptions {
 
 /// Lays pictures out row by row. Every cell of a column has the column's largest width, every cell of a row the row's
 /// largest height; a smaller picture is centred in its cell. An empty `Image` leaves its cell blank.
-/// @throws lostopos::InputError  if there are no pictures or all are empty, an option is negative, or the sheet is too
+/// @throws base::InputError  if there are no pictures or all are empty, an option is negative, or the sheet is too
 /// large.
 Image grid(std::span<const Image> images, const GridOptions& options = {});
 

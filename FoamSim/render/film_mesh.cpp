@@ -7,33 +7,32 @@
 #include <string>
 #include <tuple>
 
+#include "Base/error.h"
 #include "FoamSim/render/thickness.h"
-#include "LosTopos/error.h"
 
 namespace foamsim::render {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-using lostopos::InputError;
 
 void check(const Surface& s) {
   const std::size_t n = s.triangles.size();
-  if (n == 0) throw InputError("render: the surface has no triangles");
+  if (n == 0) throw base::InputError("render: the surface has no triangles");
   if (s.labels.size() != n || (!s.hidden.empty() && s.hidden.size() != n)) {
-    throw InputError("render: " + std::to_string(n) + " triangles, but " + std::to_string(s.labels.size()) +
-                     " labels and " + std::to_string(s.hidden.size()) +
-                     " hidden flags (may be 0); the numbers must agree");
+    throw base::InputError("render: " + std::to_string(n) + " triangles, but " + std::to_string(s.labels.size()) +
+                           " labels and " + std::to_string(s.hidden.size()) +
+                           " hidden flags (may be 0); the numbers must agree");
   }
   for (std::size_t t = 0; t < n; ++t) {
     for (const std::uint32_t v : s.triangles[t]) {
       if (v < s.positions.size()) continue;
-      throw InputError("render: triangle " + std::to_string(t) + " has vertex " + std::to_string(v) +
-                       ", but there are only " + std::to_string(s.positions.size()) + " vertices");
+      throw base::InputError("render: triangle " + std::to_string(t) + " has vertex " + std::to_string(v) +
+                             ", but there are only " + std::to_string(s.positions.size()) + " vertices");
     }
   }
   for (std::size_t v = 0; v < s.positions.size(); ++v)
-    if (!s.positions[v].allFinite()) throw InputError("render: vertex " + std::to_string(v) + " is not finite");
+    if (!s.positions[v].allFinite()) throw base::InputError("render: vertex " + std::to_string(v) + " is not finite");
 }
 
 // A side of a visible triangle; sorting brings the sides of one edge together.

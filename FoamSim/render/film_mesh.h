@@ -36,7 +36,7 @@ struct FilmMesh {
 };
 
 /// @param origin, scale  scene units are (x − origin) / scale.
-/// @throws lostopos::InputError  if the surface has no triangles, its arrays disagree, an index is out of range or a
+/// @throws base::InputError  if the surface has no triangles, its arrays disagree, an index is out of range or a
 /// position
 ///         is not finite.
 FilmMesh prepare(const Surface& surface, const Eigen::Vector3d& origin, double scale);

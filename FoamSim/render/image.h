@@ -14,7 +14,7 @@ class Image {
  public:
   Image() = default;
   /// A picture of one colour.
-  /// @throws lostopos::InputError  unless both sizes are in 1 … 65535.
+  /// @throws base::InputError  unless both sizes are in 1 … 65535.
   Image(int width, int height, Pixel fill = {0, 0, 0, 255});
 
   int width() const { return width_; }

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim::render {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw lostopos::FileError("cannot write picture " + path.string() + ": " + why);
+  throw base::FileError("cannot write picture " + path.string() + ": " + why);
 }
 
 bool is_opaque(const Image& image) {
@@ -74,7 +74,7 @@ std::string write_and_close(const Image& image, int fd) {
 }  // namespace
 
 void write_png(const Image& image, const fs::path& path) {
-  if (image.empty()) throw lostopos::InputError("cannot write picture " + path.string() + ": it has no pixels");
+  if (image.empty()) throw base::InputError("cannot write picture " + path.string() + ": it has no pixels");
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (fs::is_directory(status)) fail(path, "it is a folder");

@@ -10,8 +10,8 @@ namespace foamsim::render {
 ///
 /// Atomic: the file is written under a temporary name beside `path` and renamed when complete, so `path` holds either
 /// what it held before or the whole picture. (If `path` is a device or a pipe, it is written to directly.)
-/// @throws lostopos::InputError  if the picture is empty.
-/// @throws lostopos::FileError   if it cannot be written (no such folder, no permission, disk full); nothing is left.
+/// @throws base::InputError  if the picture is empty.
+/// @throws base::FileError   if it cannot be written (no such folder, no permission, disk full); nothing is left.
 void write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace foamsim::render

@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim::render {
 namespace {
@@ -56,8 +56,8 @@ RTCRay embree_ray(const Ray& ray, float begin, float end) {
 void check(RTCDevice device) {
   const RTCError error = rtcGetDeviceError(device);
   if (error != RTC_ERROR_NONE)
-    throw lostopos::Error("render: Embree failed with error " + std::to_string(static_cast<int>(error)) +
-                          (error == RTC_ERROR_OUT_OF_MEMORY ? " (out of memory)" : ""));
+    throw base::Error("render: Embree failed with error " + std::to_string(static_cast<int>(error)) +
+                      (error == RTC_ERROR_OUT_OF_MEMORY ? " (out of memory)" : ""));
 }
 
 bool share_vertex(const std::array<std::uint32_t, 3>& s, const std::array<std::uint32_t, 3>& t) {
@@ -68,7 +68,7 @@ bool share_vertex(const std::array<std::uint32_t, 3>& s, const std::array<std::u
 
 RayScene::RayScene(const FilmMesh& mesh, float border_radius, float rim_radius)
     : mesh_(mesh), device_(rtcNewDevice(nullptr)) {
-  if (!device_) throw lostopos::Error("render: Embree does not start on this machine");
+  if (!device_) throw base::Error("render: Embree does not start on this machine");
   films_.reset(rtcNewScene(device_.get()));
   tubes_.reset(rtcNewScene(device_.get()));
   check(device_.get());

@@ -40,7 +40,7 @@ struct TubeHit {
 class RayScene {
  public:
   /// @param border_radius, rim_radius  scene units; 0: none. The mesh must outlive this.
-  /// @throws lostopos::Error  if Embree fails (out of memory).
+  /// @throws base::Error  if Embree fails (out of memory).
   RayScene(const FilmMesh& mesh, float border_radius, float rim_radius);
 
   /// The films crossed between distances `begin` and `end`, nearest first, each crossing once even if it falls on an

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
+#include "Base/error.h"
 #include "FoamSim/render/shading.h"
 #include "FoamSim/render/tone.h"
-#include "LosTopos/error.h"
 
 namespace foamsim::render {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 void require(bool ok, const std::string& name, const std::string& range) {
-  if (!ok) throw lostopos::InputError("render options: " + name + " must be in " + range);
+  if (!ok) throw base::InputError("render options: " + name + " must be in " + range);
 }
 
 bool in(double x, double low, double high) {

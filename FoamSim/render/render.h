@@ -58,7 +58,7 @@ struct RenderOptions {
 /// border. Edges with three or more visible triangles are drawn as tubes. Triangles of zero area are skipped.
 ///
 /// Uses the ambient TBB arena. The same input gives the same bits for any number of threads.
-/// @throws lostopos::InputError  if the surface has no triangles, its arrays disagree, an index is out of range, a
+/// @throws base::InputError  if the surface has no triangles, its arrays disagree, an index is out of range, a
 ///         position is not finite, or a camera or option value is out of range.
 Image render(const Surface& surface, const Camera& camera, const RenderOptions& options = {});
 

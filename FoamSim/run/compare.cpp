@@ -1,9 +1,9 @@
 #include "FoamSim/run/compare.h"
 
-#include "FoamSim/options/option_value.h"
-#include "FoamSim/output/csv_table.h"
-#include "LosTopos/error.h"
-#include "LosTopos/io/atomic_file.h"
+#include "Base/error.h"
+#include "Base/io/atomic_file.h"
+#include "Base/io/csv_table.h"
+#include "Base/options/option_value.h"
 
 namespace foamsim {
 namespace {
@@ -13,25 +13,26 @@ constexpr const char* header =
     "volume_drift_max,seconds,angle_rms_film_deg";
 
 std::string text(const std::optional<double>& value) {
-  return value ? to_text(*value) : "";
+  return value ? base::to_text(*value) : "";
 }
 
 void write_table(const std::filesystem::path& file, const std::vector<ComparedRun>& runs) {
-  lostopos::AtomicFile out(file);
+  base::AtomicFile out(file);
   out.stream() << header << '\n';
   for (const ComparedRun& run : runs) {
     const ComparisonRow r = summarise(run);
-    out.stream() << r.area << ',' << r.ended << ',' << r.steps << ',' << to_text(r.time) << ',' << r.triangles << ','
-                 << text(r.angle_outer_mean_deg) << ',' << text(r.angle_rms_deg) << ',' << to_text(r.centroid_drift)
-                 << ',' << to_text(r.surface_area) << ',' << to_text(r.energy) << ',' << to_text(r.volume_drift_max)
-                 << ',' << to_text(r.seconds) << ',' << text(r.angle_rms_film_deg) << '\n';
+    out.stream() << r.area << ',' << r.ended << ',' << r.steps << ',' << base::to_text(r.time) << ',' << r.triangles
+                 << ',' << text(r.angle_outer_mean_deg) << ',' << text(r.angle_rms_deg) << ','
+                 << base::to_text(r.centroid_drift) << ',' << base::to_text(r.surface_area) << ','
+                 << base::to_text(r.energy) << ',' << base::to_text(r.volume_drift_max) << ','
+                 << base::to_text(r.seconds) << ',' << text(r.angle_rms_film_deg) << '\n';
   }
   out.commit();
 }
 
 ComparisonRow parse_row(const std::vector<std::string>& cells) {
-  auto number = [](const std::string& cell) { return std::get<double>(parse_option(cell, 0.0)); };
-  auto whole = [](const std::string& cell) { return std::get<long>(parse_option(cell, 0L)); };
+  auto number = [](const std::string& cell) { return std::get<double>(base::parse_option(cell, 0.0)); };
+  auto whole = [](const std::string& cell) { return std::get<long>(base::parse_option(cell, 0L)); };
   auto optional = [&](const std::string& cell) { return cell.empty() ? std::optional<double>() : number(cell); };
   return {cells[0],           cells[1],           whole(cells[2]),    number(cells[3]), whole(cells[4]),
           optional(cells[5]), optional(cells[6]), number(cells[7]),   number(cells[8]), number(cells[9]),
@@ -59,9 +60,9 @@ ComparisonRow summarise(const ComparedRun& run) {
 
 std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
-    throw lostopos::FileError(file.string() + ": there is no comparison; 'foamsim compare' makes one");
+    throw base::FileError(file.string() + ": there is no comparison; 'foamsim compare' makes one");
   std::vector<ComparisonRow> rows;
-  read_csv(file, header, [&](const std::vector<std::string>& cells) { rows.push_back(parse_row(cells)); });
+  base::read_csv(file, header, [&](const std::vector<std::string>& cells) { rows.push_back(parse_row(cells)); });
   return rows;
 }
 
@@ -76,8 +77,8 @@ std::vector<ComparedRun> compare_areas(const Scene& scene, const std::vector<std
     validate(scenes.back());
   }
   if (!settings.force && std::filesystem::exists(settings.out / "compare.csv"))
-    throw lostopos::InputError(settings.out.string() +
-                               " already holds a comparison; give another --out, or --force to replace it");
+    throw base::InputError(settings.out.string() +
+                           " already holds a comparison; give another --out, or --force to replace it");
   std::vector<ComparedRun> runs;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     RunSettings own = settings;

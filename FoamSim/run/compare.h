@@ -28,7 +28,7 @@ struct ComparisonRow {
 };
 ComparisonRow summarise(const ComparedRun& run);
 
-/// Reads compare.csv. Throws lostopos::InputError when it is missing or malformed.
+/// Reads compare.csv. Throws base::InputError when it is missing or malformed.
 std::vector<ComparisonRow> read_comparison(const std::filesystem::path& file);
 
 /// Runs the scene once with each area strategy, into `settings.out`/STRATEGY, and writes `settings.out`/compare.csv.

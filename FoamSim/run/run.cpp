@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "FoamSim/metrics/rest_detector.h"
-#include "FoamSim/output/checkpoint.h"
-#include "FoamSim/output/run_directory.h"
-#include "FoamSim/output/run_json.h"
+#include "FoamSim/run/checkpoint.h"
+#include "FoamSim/run/run_directory.h"
+#include "FoamSim/run/run_json.h"
 #include "FoamSim/run/run_writer.h"
 #include "LosTopos/error.h"
 
@@ -51,7 +51,7 @@ long last_step(const StopAt& stop, const Start& start) {
   if (stop.until_rest) {
     const double characteristic = characteristic_time(start.volumes, start.scene.options.number("sigma"));
     if (!(characteristic > 0))
-      throw lostopos::InputError(
+      throw base::InputError(
           "--until-rest needs a bubble and a tension (sigma > 0), whose characteristic time tells what rest is; give "
           "--time or --steps here");
     return steps_of(rest_patience * characteristic);
@@ -90,7 +90,7 @@ class Run {
     loop();
     // The last good state, unless the last step has just written it.
     {
-      const StageTimer timer(outcome_.times, "write");
+      const base::StageTimer timer(outcome_.times, "write");
       writer_.write_frame(start_.simulation);
       writer_.write_checkpoint(start_.scene, start_.simulation, start_.volumes, start_.centroid);
     }
@@ -134,12 +134,12 @@ class Run {
       return false;
     }
     {
-      const StageTimer timer(report.times, "metrics");
+      const base::StageTimer timer(report.times, "metrics");
       outcome_.last = measure(start_.simulation, report, 0, start_.volumes);
     }
     outcome_.last.step_seconds = seconds_since(begun);
     {
-      const StageTimer timer(report.times, "write");
+      const base::StageTimer timer(report.times, "write");
       writer_.write_step(start_.scene, start_.simulation, outcome_.last, start_.volumes, start_.centroid);
     }
     outcome_.times.add(report.times);

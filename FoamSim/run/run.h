@@ -34,7 +34,7 @@ struct RunOutcome {
   long first_step = 0;
   Metrics start, last;
   lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();
-  StageTimes times;
+  base::StageTimes times;
   lostopos::RemeshStatistics remesh;  ///< summed over all steps
   lostopos::MoveStatistics move;
   bool topology_enabled = false;
@@ -54,7 +54,7 @@ inline constexpr double rest_patience = 500;
 
 /// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, events.csv where the topology may change,
 /// frames, checkpoint). A simulation that
-/// cannot go on, or an interruption, ends the run with the last good state saved; lostopos::InputError (bad scene,
+/// cannot go on, or an interruption, ends the run with the last good state saved; base::InputError (bad scene,
 /// folder or checkpoint, disk full) is thrown, before anything is written where that is possible.
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks = {});
 

@@ -1,8 +1,8 @@
 #include "FoamSim/run/run_writer.h"
 
-#include "FoamSim/output/checkpoint.h"
-#include "FoamSim/output/events_csv.h"
-#include "FoamSim/output/metrics_csv.h"
+#include "FoamSim/metrics/events_csv.h"
+#include "FoamSim/metrics/metrics_csv.h"
+#include "FoamSim/run/checkpoint.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/vtp.h"
 
@@ -19,8 +19,8 @@ std::vector<lostopos::PvdFrame> frames_until(const std::filesystem::path& pvd, d
   return frames;
 }
 
-CsvTable table(const std::filesystem::path& file, const std::string& header, long resumed_step) {
-  if (resumed_step >= 0) keep_rows_until(file, resumed_step);
+base::CsvTable table(const std::filesystem::path& file, const std::string& header, long resumed_step) {
+  if (resumed_step >= 0) base::keep_rows_until(file, resumed_step);
   return {file, header, resumed_step >= 0};
 }
 

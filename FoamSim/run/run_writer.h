@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "Base/io/csv_table.h"
 #include "FoamSim/metrics/metrics.h"
-#include "FoamSim/output/csv_table.h"
-#include "FoamSim/output/run_directory.h"
+#include "FoamSim/run/run_directory.h"
 #include "FoamSim/scenes/scene.h"
 #include "LosTopos/io/pvd.h"
 
@@ -15,7 +15,7 @@ namespace foamsim {
 /// Writes a run's files at the intervals that its scene asks for.
 class RunWriter {
  public:
-  /// Begins the tables; with `resumed_step` ≥ 0 goes on behind that step's rows. Throws lostopos::FileError.
+  /// Begins the tables; with `resumed_step` ≥ 0 goes on behind that step's rows. Throws base::FileError.
   RunWriter(RunDirectory directory, const Scene& scene, long resumed_step);
 
   /// The surface at the start: first frame and first rows.
@@ -35,8 +35,8 @@ class RunWriter {
   void write_vtp(const Simulation& simulation);
 
   RunDirectory directory_;
-  CsvTable metrics_, volumes_;
-  std::optional<CsvTable> events_;  // only where the topology may change
+  base::CsvTable metrics_, volumes_;
+  std::optional<base::CsvTable> events_;  // only where the topology may change
   lostopos::PvdWriter pvd_;
   long frame_every_, metrics_every_, checkpoint_every_;
   bool vtp_;

@@ -5,12 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "FoamSim/names/nearest_name.h"
-#include "LosTopos/error.h"
+#include "Base/error.h"
+#include "Base/names/nearest_name.h"
 
 namespace foamsim {
-
-using lostopos::InputError;
 
 namespace {
 
@@ -67,7 +65,7 @@ constexpr std::array meanings{
 
 std::vector<Line> read_lines(const std::string& file) {
   std::ifstream stream(file);
-  if (!stream) throw lostopos::FileError(file + ": there is no such option file, or it cannot be read");
+  if (!stream) throw base::FileError(file + ": there is no such option file, or it cannot be read");
   std::vector<Line> lines;
   std::string text;
   for (int number = 1; std::getline(stream, text); ++number) {
@@ -77,16 +75,16 @@ std::vector<Line> read_lines(const std::string& file) {
     line.where = file + ":" + std::to_string(number);
     std::string more;
     if (!(words >> line.value) || words >> more)
-      throw InputError(line.where + ": one value has to follow the key '" + line.key + "'");
+      throw base::InputError(line.where + ": one value has to follow the key '" + line.key + "'");
     lines.push_back(std::move(line));
   }
   return lines;
 }
 
 void apply(const Line& line, std::string_view ours, Scene& scene) {
-  OptionSet& options = scene.options;
+  base::OptionSet& options = scene.options;
   if (ours == "integrator") {
-    const OptionValue on = parse_option(line.value, false);
+    const base::OptionValue on = base::parse_option(line.value, false);
     options.set("integrator", std::string(std::get<bool>(on) ? "rk4" : "euler"), line.where);
     return;
   }
@@ -100,20 +98,20 @@ void apply(const Line& line, std::string_view ours, Scene& scene) {
 Scene read_reference_options(const std::string& file) {
   const std::vector<Line> lines = read_lines(file);
   const auto scene_line = std::ranges::find(lines, "scene", &Line::key);
-  if (scene_line == lines.end()) throw InputError(file + ": an option file needs a line 'scene NAME'");
+  if (scene_line == lines.end()) throw base::InputError(file + ": an option file needs a line 'scene NAME'");
   Scene scene = [&] {
     try {
       return built_in_scene(scene_line->value);
-    } catch (const InputError& error) {
-      throw InputError(scene_line->where + ": " + error.what());
+    } catch (const base::InputError& error) {
+      throw base::InputError(scene_line->where + ": " + error.what());
     }
   }();
   for (const Line& line : lines) {
     std::string_view ours;
     try {
-      ours = find_by_name(meanings, line.key, "key").ours;
-    } catch (const InputError& error) {
-      throw InputError(line.where + ": " + error.what());
+      ours = base::find_by_name(meanings, line.key, "key").ours;
+    } catch (const base::InputError& error) {
+      throw base::InputError(line.where + ": " + error.what());
     }
     if (ours == "scene") continue;
     if (ours.empty())

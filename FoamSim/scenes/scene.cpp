@@ -4,52 +4,52 @@
 #include <cmath>
 #include <filesystem>
 
+#include "Base/error.h"
+#include "Base/names/nearest_name.h"
 #include "FoamSim/effects/registry.h"
-#include "FoamSim/names/nearest_name.h"
 #include "FoamSim/scenes/reference_options.h"
 #include "FoamSim/scenes/scene_registry.h"
 #include "FoamSim/scenes/toml_scene.h"
-#include "FoamSim/sheet/vertex_area/registry.h"
-#include "LosTopos/error.h"
+#include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "LosTopos/io/mesh_file.h"
-#include "LosTopos/options/tracker_options.h"
+#include "LosTopos/tracker_options.h"
 
 namespace foamsim {
 
 using lostopos::Edge;
-using lostopos::InputError;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;
 
 namespace {
 
-std::vector<OptionSpec> general_option_specs() {
+std::vector<base::OptionSpec> general_option_specs() {
   return {
-      whole_number("n", 3, 0, "size of the built-in shape (see 'foamsim scenes')"),
-      whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
+      base::whole_number("n", 3, 0, "size of the built-in shape (see 'foamsim scenes')"),
+      base::whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
       {"amplitude", 0.02, "sphere: the mode's amplitude over the radius", "a number between -1 and 1",
-       [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
-      positive_number("gap", 0.1, "twobubbles: distance between the two at the start, L"),
+       [](const base::OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
+      base::positive_number("gap", 0.1, "twobubbles: distance between the two at the start, L"),
       {"speed", 0.5, "twobubbles: of each towards the other at the start, L/T; 0: at rest", "a finite number"},
-      whole_number("spheres", 8, 1, "foaminit: number of spheres"),
+      base::whole_number("spheres", 8, 1, "foaminit: number of spheres"),
       {"layout", std::string("grid"), "foaminit: grid (jittered) or random", "grid or random",
-       [](const OptionValue& value) {
+       [](const base::OptionValue& value) {
          return std::get<std::string>(value) == "grid" || std::get<std::string>(value) == "random";
        }},
       {"displacement", 0.2, "triplejunction, quadjunction: of the junction at the start, L",
-       "a number between -1 and 1", [](const OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
-      positive_number("dt", 0.01, "length of a step, T"),
-      non_negative_number("time", 4, "simulated time, T"),
-      non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
-      non_negative_number("delta", 0, "Biot-Savart regularisation, L; 0: 0.75 resolution"),
+       "a number between -1 and 1",
+       [](const base::OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
+      base::positive_number("dt", 0.01, "length of a step, T"),
+      base::non_negative_number("time", 4, "simulated time, T"),
+      base::non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
+      base::non_negative_number("delta", 0, "Biot-Savart regularisation, L; 0: 0.75 resolution"),
       {"integrator", std::string("euler"), "euler or rk4", "euler or rk4"},
       {"effects", std::vector<std::string>{"surface_tension", "diffusion"},
        "what acts on the films, separated by commas", "names from 'foamsim effects'"},
-      whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
-      whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
-      whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
-      flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
-      whole_number("seed", 0, 0, "seed of everything random"),
+      base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
+      base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
+      base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
+      base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
+      base::whole_number("seed", 0, 0, "seed of everything random"),
   };
 }
 
@@ -60,9 +60,9 @@ lostopos::TrackerOptions tracker_defaults() {
   return defaults;
 }
 
-void require_known_names(const OptionSet& options) {
-  for (const std::string& effect : options.words("effects")) find_by_name(effect_entries(), effect, "effect");
-  find_by_name(vertex_area_strategies(), options.word("area"), "area strategy");
+void require_known_names(const base::OptionSet& options) {
+  for (const std::string& effect : options.words("effects")) base::find_by_name(effect_entries(), effect, "effect");
+  base::find_by_name(vertex_area_strategies(), options.word("area"), "area strategy");
   integrator_by_name(options.word("integrator"));
 }
 
@@ -102,9 +102,9 @@ void set_start_motion(const Scene& scene, const lostopos::PairValues& given, Sim
 
 }  // namespace
 
-std::vector<OptionSpec> scene_option_specs() {
-  std::vector<OptionSpec> specs = general_option_specs();
-  for (OptionSpec& spec : lostopos::tracker_option_specs(tracker_defaults())) specs.push_back(std::move(spec));
+std::vector<base::OptionSpec> scene_option_specs() {
+  std::vector<base::OptionSpec> specs = general_option_specs();
+  for (base::OptionSpec& spec : lostopos::tracker_option_specs(tracker_defaults())) specs.push_back(std::move(spec));
   for (const EffectEntry& effect : effect_entries())
     specs.insert(specs.end(), effect.options.begin(), effect.options.end());
   return specs;
@@ -112,7 +112,7 @@ std::vector<OptionSpec> scene_option_specs() {
 
 Scene built_in_scene(std::string_view name) {
   const SceneEntry& entry = scene_by_name(name);
-  Scene scene{std::string(entry.name), "", OptionSet(scene_option_specs()), {}};
+  Scene scene{std::string(entry.name), "", base::OptionSet(scene_option_specs()), {}};
   for (const auto& [key, value] : entry.defaults) scene.options.set_default(key, value);
   return scene;
 }
@@ -123,18 +123,18 @@ Scene load_scene(const std::string& what) {
   if (extension == ".toml") return read_toml_scene(what);
   if (extension == ".txt") return read_reference_options(what);
   if (lostopos::find_mesh_format(what) != nullptr)
-    return {path.stem().string(), what, OptionSet(scene_option_specs()), {}};
+    return {path.stem().string(), what, base::OptionSet(scene_option_specs()), {}};
   return built_in_scene(what);
 }
 
 void validate(const Scene& scene) {
   require_known_names(scene.options);
   const auto& active = scene.options.words("effects");
-  for (const OptionSpec& spec : scene.options.specs()) {
+  for (const base::OptionSpec& spec : scene.options.specs()) {
     if (spec.effect.empty() || !scene.options.is_set(spec.key)) continue;
     if (std::ranges::find(active, spec.effect) == active.end())
-      throw InputError("option '" + spec.key + "' belongs to the effect '" + spec.effect +
-                       "', which this scene does not use; add it with --set effects+=" + spec.effect);
+      throw base::InputError("option '" + spec.key + "' belongs to the effect '" + spec.effect +
+                             "', which this scene does not use; add it with --set effects+=" + spec.effect);
   }
 }
 
@@ -142,7 +142,7 @@ SurfaceMesh build_surface(const Scene& scene) {
   return start_surface(scene).mesh;
 }
 
-SimulationOptions simulation_options(const OptionSet& options) {
+SimulationOptions simulation_options(const base::OptionSet& options) {
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),

@@ -5,12 +5,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/io/mesh_file.h"
 
 namespace foamsim {
-
-using lostopos::InputError;
 
 namespace {
 
@@ -18,7 +16,7 @@ std::string place(const std::string& file, const toml::source_region& source) {
   return file + ":" + std::to_string(source.begin.line);
 }
 
-OptionValue to_option_value(const toml::node& node, const std::string& where) {
+base::OptionValue to_option_value(const toml::node& node, const std::string& where) {
   if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* whole = node.as_integer()) return static_cast<long>(whole->get());
   if (const auto* number = node.as_floating_point()) return number->get();
@@ -26,15 +24,16 @@ OptionValue to_option_value(const toml::node& node, const std::string& where) {
   if (const auto* list = node.as_array()) {
     std::vector<std::string> words;
     for (const toml::node& item : *list) {
-      if (!item.is_string()) throw InputError(where + ": a list here has to hold words in quotes");
+      if (!item.is_string()) throw base::InputError(where + ": a list here has to hold words in quotes");
       words.push_back(item.as_string()->get());
     }
     return words;
   }
-  throw InputError(where + ": dates and nested lists are not options");
+  throw base::InputError(where + ": dates and nested lists are not options");
 }
 
-void read_table(const toml::table& table, const std::string& prefix, const std::string& file, OptionSet& options) {
+void read_table(const toml::table& table, const std::string& prefix, const std::string& file,
+                base::OptionSet& options) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + std::string(key.str());
     if (prefix.empty() && (name == "scene" || name == "mesh")) continue;
@@ -51,33 +50,33 @@ Scene start_of(const toml::table& table, const std::string& file) {
   const toml::node* scene = table.get("scene");
   const toml::node* mesh = table.get("mesh");
   if ((scene == nullptr) == (mesh == nullptr))
-    throw InputError(file + ": a scene file needs either scene = \"NAME\" or mesh = \"FILE\"");
+    throw base::InputError(file + ": a scene file needs either scene = \"NAME\" or mesh = \"FILE\"");
   const toml::node& start = scene != nullptr ? *scene : *mesh;
   const std::string where = place(file, start.source());
-  if (!start.is_string()) throw InputError(where + ": a name in quotes has to follow here");
+  if (!start.is_string()) throw base::InputError(where + ": a name in quotes has to follow here");
   const std::string name = start.as_string()->get();
   if (mesh != nullptr) {
     if (lostopos::find_mesh_format(name) == nullptr)
-      throw InputError(where + ": '" + name + "' is not a mesh file; known are " + lostopos::mesh_extensions());
+      throw base::InputError(where + ": '" + name + "' is not a mesh file; known are " + lostopos::mesh_extensions());
     const auto path = std::filesystem::path(file).parent_path() / name;
-    return {path.stem().string(), path.string(), OptionSet(scene_option_specs()), {}};
+    return {path.stem().string(), path.string(), base::OptionSet(scene_option_specs()), {}};
   }
   try {
     return built_in_scene(name);
-  } catch (const InputError& error) {
-    throw InputError(where + ": " + error.what());
+  } catch (const base::InputError& error) {
+    throw base::InputError(where + ": " + error.what());
   }
 }
 
 }  // namespace
 
 Scene read_toml_scene(const std::string& file) {
-  if (!std::filesystem::is_regular_file(file)) throw lostopos::FileError(file + ": there is no such scene file");
+  if (!std::filesystem::is_regular_file(file)) throw base::FileError(file + ": there is no such scene file");
   toml::table table;
   try {
     table = toml::parse_file(file);
   } catch (const toml::parse_error& error) {
-    throw InputError(place(file, error.source()) + ": not valid TOML: " + std::string(error.description()));
+    throw base::InputError(place(file, error.source()) + ": not valid TOML: " + std::string(error.description()));
   }
   Scene scene = start_of(table, file);
   read_table(table, "", file, scene.options);

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "FoamSim/sheet/biot_savart/vortex_sources.h"
 #include "FoamSim/sheet/circulation.h"
+#include "FoamSim/sheet/velocity/vortex_sources.h"
 
 namespace foamsim {
 

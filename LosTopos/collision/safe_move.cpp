@@ -18,15 +18,16 @@ using Clock = std::chrono::steady_clock;
 void require_usable(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
                     const MoveOptions& options) {
   if (predicted.size() != mesh.vertex_slots() || (!held.empty() && held.size() != mesh.vertex_slots())) {
-    throw InputError("cannot move the surface: " + std::to_string(predicted.size()) + " predicted positions and " +
-                     std::to_string(held.size()) + " held flags for " + std::to_string(mesh.vertex_slots()) +
-                     " vertex slots; there has to be one each (or no flags)");
+    throw base::InputError("cannot move the surface: " + std::to_string(predicted.size()) +
+                           " predicted positions and " + std::to_string(held.size()) + " held flags for " +
+                           std::to_string(mesh.vertex_slots()) +
+                           " vertex slots; there has to be one each (or no flags)");
   }
   if (!(options.proximity_epsilon >= 0 && std::isfinite(options.proximity_epsilon)))
-    throw InputError("proximity_epsilon is " + std::to_string(options.proximity_epsilon) +
-                     "; it has to be a length, not negative");
+    throw base::InputError("proximity_epsilon is " + std::to_string(options.proximity_epsilon) +
+                           "; it has to be a length, not negative");
   if (!(options.smallest_step > 0 && options.smallest_step <= 1))
-    throw InputError("smallest_step is " + std::to_string(options.smallest_step) + "; it has to be in (0, 1]");
+    throw base::InputError("smallest_step is " + std::to_string(options.smallest_step) + "; it has to be in (0, 1]");
   for (Vertex v : mesh.vertices()) {
     if (predicted[v.index()].allFinite()) continue;
     std::ostringstream message;

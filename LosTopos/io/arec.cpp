@@ -1,5 +1,5 @@
-#include "LosTopos/io/atomic_file.h"
-#include "LosTopos/io/number_text.h"
+#include "Base/io/atomic_file.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/io/surface_checks.h"
@@ -21,7 +21,7 @@ void reject(const TextReader& text, const std::string& problem) {
 }
 
 void append_integer(std::string& line, std::uint64_t value) {
-  append_number(line, static_cast<std::int64_t>(value));
+  base::append_number(line, static_cast<std::int64_t>(value));
 }
 
 }  // namespace
@@ -58,13 +58,13 @@ SurfaceData read_arec(const std::filesystem::path& path) {
 
 void write_arec(const std::filesystem::path& path, const SurfaceData& data) {
   validate(data);
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   file.stream() << data.positions.size() << '\n';
   std::string line;
   for (const Vec3& position : data.positions) {
     line.clear();
     for (int i = 0; i < 3; ++i) {
-      append_number(line, position[i]);
+      base::append_number(line, position[i]);
       line += i < 2 ? ' ' : '\n';
     }
     file.stream() << line;

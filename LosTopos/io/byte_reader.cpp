@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/io/read_error.h"
 
 namespace lostopos {
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t window_bytes = std::size_t{1} << 18U;
 
 [[noreturn]] void throw_unreadable(const std::string& name, const std::string& reason) {
-  throw FileError("cannot read '" + name + "': " + reason);
+  throw base::FileError("cannot read '" + name + "': " + reason);
 }
 
 }  // namespace

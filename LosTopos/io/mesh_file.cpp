@@ -4,8 +4,8 @@
 #include <array>
 #include <cctype>
 
-#include "LosTopos/error.h"
-#include "LosTopos/io/number_text.h"
+#include "Base/error.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/read_error.h"
@@ -53,11 +53,11 @@ const MeshFormat* sniff_text(std::string_view start) {
     if (std::ranges::find(obj_words, word) != obj_words.end()) return format_named(".obj");
     break;
   }
-  return parse_integer(first) ? format_named(".arec") : nullptr;
+  return base::parse_integer(first) ? format_named(".arec") : nullptr;
 }
 
 [[noreturn]] void throw_unknown(const std::filesystem::path& path, const std::string& problem) {
-  throw InputError("'" + path.string() + "': " + problem + "; known are " + mesh_extensions());
+  throw base::InputError("'" + path.string() + "': " + problem + "; known are " + mesh_extensions());
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ SurfaceData read_surface(const std::filesystem::path& path) {
   const MeshFormat* named = find_mesh_format(path);
   if (!named && !shown) throw_unknown(path, "neither the extension nor the content is that of a known surface format");
   if (named && shown && named != shown)
-    throw InputError("'" + path.string() + "' has the content of a " + std::string(shown->extension) +
-                     " file; rename it");
+    throw base::InputError("'" + path.string() + "' has the content of a " + std::string(shown->extension) +
+                           " file; rename it");
   return (named ? named : shown)->read(path);
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "LosTopos/io/atomic_file.h"
+#include "Base/io/atomic_file.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/byte_reader.h"
-#include "LosTopos/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/surface_checks.h"
 #include "LosTopos/io/text_reader.h"
@@ -49,7 +49,7 @@ class ObjReader {
     Vec3 position;
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = take_word(rest);
-      const auto value = parse_double(word);
+      const auto value = base::parse_double(word);
       if (!value) text_.fail(in_quotes(word) + " stands where a coordinate should; 'v 0.5 0 -1' would be right");
       position[i] = *value;
     }
@@ -81,7 +81,7 @@ class ObjReader {
 
   // Number, from 0, of the vertex that "7", "7/2", "7//3", "7/2/3" or "-1" stands for.
   std::int64_t corner(std::string_view word) {
-    const auto number = parse_integer(word.substr(0, word.find('/')));
+    const auto number = base::parse_integer(word.substr(0, word.find('/')));
     const auto have = static_cast<std::int64_t>(data_.positions.size());
     if (!number || *number == 0 || *number < -have)
       text_.fail(in_quotes(word) + " stands where a corner should, with " + std::to_string(have) +
@@ -97,7 +97,7 @@ class ObjReader {
       // region_north is somebody else's group; region_1_x is meant to be ours.
       if (numbers.find_first_of("0123456789-") != 0) continue;
       const std::size_t bar = std::min(numbers.find('_'), numbers.size() - 1);
-      const auto p = parse_integer(numbers.substr(0, bar)), q = parse_integer(numbers.substr(bar + 1));
+      const auto p = base::parse_integer(numbers.substr(0, bar)), q = base::parse_integer(numbers.substr(bar + 1));
       if (!p || !q) text_.fail("group " + in_quotes(word) + " names no two regions; 'region_1_0' would be right");
       reject(label_problem(*p, *q));
       labels_ = checked_labels(*p, *q);
@@ -117,7 +117,7 @@ class ObjReader {
 };
 
 void append_integer(std::string& text, std::uint32_t value) {
-  append_number(text, static_cast<std::int64_t>(value));
+  base::append_number(text, static_cast<std::int64_t>(value));
 }
 
 }  // namespace
@@ -128,13 +128,13 @@ SurfaceData read_obj(const std::filesystem::path& path) {
 
 void write_obj(const std::filesystem::path& path, const SurfaceData& data) {
   validate(data);
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   file.stream() << "# group region_P_Q: the faces' right-hand normals point out of region P into region Q; 0 is the "
                    "open air\n";
   std::string line;
   for (const Vec3& position : data.positions) {
     line.assign(1, 'v');
-    for (int i = 0; i < 3; ++i) append_number(line += ' ', position[i]);
+    for (int i = 0; i < 3; ++i) base::append_number(line += ' ', position[i]);
     file.stream() << (line += '\n');
   }
   for (std::size_t t = 0; t < data.triangles.size(); ++t) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "LosTopos/io/number_text.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/text_reader.h"
 
@@ -89,7 +89,7 @@ class HeaderParser {
   void parse_element() {
     PlyElement element{std::string(word()), 0, {}};
     const std::string_view count = word();
-    const auto number = parse_integer(count);
+    const auto number = base::parse_integer(count);
     if (element.name.empty() || !number || *number < 0)
       fail("an element needs a name and a count, but the count is " + in_quotes(count) +
            "; 'element vertex 12' would be right");

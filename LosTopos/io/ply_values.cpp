@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "LosTopos/io/number_text.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 
 namespace lostopos {
@@ -12,7 +12,7 @@ std::int64_t PlyValues::next_integer(PlyType type, const char* what) {
   constexpr double largest = 9007199254740992.0;  // 2^53: up to here doubles hold all whole numbers
   if (!(std::abs(value) <= largest) || value != std::floor(value)) {
     std::string text = std::string(what) + " is ";
-    append_number(text, value);
+    base::append_number(text, value);
     fail(text + "; it has to be a whole number");
   }
   return static_cast<std::int64_t>(value);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/io/byte_reader.h"
 #include "LosTopos/io/ply_header.h"
 #include "LosTopos/io/text_reader.h"
@@ -27,7 +27,7 @@ class PlyValues {
   virtual void require_end() = 0;
   /// Makes this the place that `fail` names in a binary file.
   virtual void begin_record() {}
-  [[noreturn]] void fail(const std::string& problem) const { throw InputError(place() + ": " + problem); }
+  [[noreturn]] void fail(const std::string& problem) const { throw base::InputError(place() + ": " + problem); }
 
   /// The next value, which has to be a whole number; `what` says what it stands for.
   std::int64_t next_integer(PlyType type, const char* what);

@@ -1,4 +1,4 @@
-#include "LosTopos/io/atomic_file.h"
+#include "Base/io/atomic_file.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/ply.h"
 
@@ -28,7 +28,7 @@ std::string header(const SurfaceData& data) {
 
 void write_ply(const std::filesystem::path& path, const SurfaceData& data) {
   validate(data);
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   file.stream() << header(data);
   std::string record;
   for (const Vec3& position : data.positions) {

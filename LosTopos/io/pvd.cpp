@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "LosTopos/error.h"
-#include "LosTopos/io/atomic_file.h"
+#include "Base/error.h"
+#include "Base/io/atomic_file.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/byte_reader.h"
-#include "LosTopos/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/vtp_array.h"
 #include "LosTopos/io/xml_reader.h"
@@ -15,7 +15,7 @@ namespace {
 
 PvdFrame read_frame(const XmlReader& xml) {
   const std::string time_text = xml.attribute("timestep");
-  const auto time = parse_double(time_text);
+  const auto time = base::parse_double(time_text);
   if (!time || !std::isfinite(*time)) xml.fail("timestep is " + in_quotes(time_text) + "; a number would be right");
   PvdFrame frame{*time, xml.attribute("file")};
   if (frame.file.empty()) xml.fail("a frame's attribute 'file' is empty");
@@ -50,12 +50,12 @@ void write_pvd(const std::filesystem::path& path, const std::vector<PvdFrame>& f
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
   for (const PvdFrame& frame : frames) {
-    if (!std::isfinite(frame.time)) throw InputError("frame '" + frame.file + "' has a time that is not finite");
-    if (frame.file.empty()) throw InputError("a frame has no file");
-    append_number(text += "<DataSet timestep=\"", frame.time);
+    if (!std::isfinite(frame.time)) throw base::InputError("frame '" + frame.file + "' has a time that is not finite");
+    if (frame.file.empty()) throw base::InputError("a frame has no file");
+    base::append_number(text += "<DataSet timestep=\"", frame.time);
     text += "\" part=\"0\" file=\"" + xml_escape(frame.file) + "\"/>\n";
   }
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   file.stream() << text << "</Collection>\n</VTKFile>\n";
   file.commit();
 }

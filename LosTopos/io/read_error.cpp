@@ -1,15 +1,15 @@
 #include "LosTopos/io/read_error.h"
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace lostopos {
 
 void throw_at_line(const std::string& file, std::size_t line, const std::string& problem) {
-  throw InputError(file + ", line " + std::to_string(line) + ": " + problem);
+  throw base::InputError(file + ", line " + std::to_string(line) + ": " + problem);
 }
 
 void throw_at_byte(const std::string& file, std::uint64_t offset, const std::string& problem) {
-  throw InputError(file + ", byte " + std::to_string(offset) + ": " + problem);
+  throw base::InputError(file + ", byte " + std::to_string(offset) + ": " + problem);
 }
 
 std::string in_quotes(std::string_view text) {

@@ -1,5 +1,5 @@
-#include "LosTopos/error.h"
-#include "LosTopos/io/atomic_file.h"
+#include "Base/error.h"
+#include "Base/io/atomic_file.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/rec.h"
 
@@ -78,9 +78,9 @@ void require_affordable(const SurfaceData& data) {
   const double regions = region_count(data);
   const double bytes = static_cast<double>(data.positions.size()) * regions * regions * sizeof(double);
   if (bytes > largest_rec_bytes)
-    throw InputError("a .rec file would take " + std::to_string(static_cast<std::uint64_t>(bytes / 0x1p30)) +
-                     " GiB, since it has a number for every pair of the " + std::to_string(region_count(data)) +
-                     " regions at every vertex; choose another format");
+    throw base::InputError("a .rec file would take " + std::to_string(static_cast<std::uint64_t>(bytes / 0x1p30)) +
+                           " GiB, since it has a number for every pair of the " + std::to_string(region_count(data)) +
+                           " regions at every vertex; choose another format");
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void require_affordable(const SurfaceData& data) {
 void write_rec(const std::filesystem::path& path, const SurfaceData& data, RecFlavour flavour) {
   validate(data);
   if (flavour == RecFlavour::SoapFilm) require_affordable(data);
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   RecWriter(file.stream(), data, flavour).write();
   file.commit();
 }

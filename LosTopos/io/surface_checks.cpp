@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "LosTopos/io/number_text.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/surface_data.h"
 
 namespace lostopos {
@@ -20,7 +20,7 @@ std::string position_problem(const Vec3& position) {
   std::string text = "the position is (";
   for (int i = 0; i < 3; ++i) {
     if (i > 0) text += ", ";
-    append_number(text, position[i]);
+    base::append_number(text, position[i]);
   }
   return text + "); its coordinates have to be finite";
 }

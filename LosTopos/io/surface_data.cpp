@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/io/surface_checks.h"
 
 namespace lostopos {
 namespace {
 
 void require_none(const std::string& problem, const char* element, std::size_t number) {
-  if (!problem.empty()) throw InputError(std::string(element) + " " + std::to_string(number) + ": " + problem);
+  if (!problem.empty()) throw base::InputError(std::string(element) + " " + std::to_string(number) + ": " + problem);
 }
 
 void require(bool good, const std::string& problem) {
-  if (!good) throw InputError(problem);
+  if (!good) throw base::InputError(problem);
 }
 
 void validate_circulation(const SurfaceData& data) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "Base/io/number_text.h"
 #include "LosTopos/io/byte_reader.h"
-#include "LosTopos/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 
 namespace lostopos {
@@ -51,14 +51,14 @@ std::string_view TextReader::required_word(const char* what) {
 
 double TextReader::number(const char* what) {
   const std::string_view word = required_word(what);
-  const auto value = parse_double(word);
+  const auto value = base::parse_double(word);
   if (!value) fail(in_quotes(word) + " stands where " + what + " should; a number such as -1.25e-3 would be right");
   return *value;
 }
 
 std::int64_t TextReader::integer(const char* what) {
   const std::string_view word = required_word(what);
-  const auto value = parse_integer(word);
+  const auto value = base::parse_integer(word);
   if (!value) fail(in_quotes(word) + " stands where " + what + " should; a whole number would be right");
   return *value;
 }

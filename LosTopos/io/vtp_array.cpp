@@ -2,9 +2,9 @@
 
 #include <bit>
 
+#include "Base/io/number_text.h"
 #include "LosTopos/io/base64.h"
 #include "LosTopos/io/byte_order.h"
-#include "LosTopos/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/text_reader.h"
 
@@ -45,7 +45,7 @@ std::vector<double> decode_text(const XmlReader& xml, const DataArray& array) {
   std::vector<double> values;
   std::string_view rest = xml.text();
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-    const auto value = parse_double(word);
+    const auto value = base::parse_double(word);
     if (!value) fail(xml, array, in_quotes(word) + " is no number");
     values.push_back(*value);
   }
@@ -94,7 +94,7 @@ VtkEncoding read_vtk_root(const XmlReader& xml, const char* wanted_type) {
 
 DataArray read_vtk_array(XmlReader& xml, const VtkEncoding& encoding) {
   DataArray array{xml.attribute("Name", ""), 1, {}};
-  const auto components = parse_integer(xml.attribute("NumberOfComponents", "1"));
+  const auto components = base::parse_integer(xml.attribute("NumberOfComponents", "1"));
   if (!components || *components < 1 || *components > 1000)
     fail(xml, array, "NumberOfComponents is " + in_quotes(xml.attribute("NumberOfComponents", "")));
   array.components = static_cast<int>(*components);

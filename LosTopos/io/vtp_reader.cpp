@@ -2,9 +2,9 @@
 #include <cmath>
 #include <optional>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
+#include "Base/io/number_text.h"
 #include "LosTopos/io/byte_reader.h"
-#include "LosTopos/io/number_text.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/surface_checks.h"
 #include "LosTopos/io/vtp.h"
@@ -58,7 +58,7 @@ class PieceReader {
 
   std::uint64_t count(const char* key, const char* fallback) {
     const std::string text = xml_.attribute(key, fallback);
-    const auto value = parse_integer(text);
+    const auto value = base::parse_integer(text);
     if (!value || *value < 0)
       xml_.fail(std::string(key) + " is " + in_quotes(text) + "; a whole number would be right");
     return static_cast<std::uint64_t>(*value);
@@ -138,7 +138,8 @@ class SurfaceAssembler {
 
   void assemble_points() {
     if (piece_.points.size() != 1)
-      throw InputError(name_ + ": section 'Points' has " + std::to_string(piece_.points.size()) + " arrays, not 1");
+      throw base::InputError(name_ + ": section 'Points' has " + std::to_string(piece_.points.size()) +
+                             " arrays, not 1");
     const PlacedArray& points = piece_.points[0];
     require_length(points, piece_.vertices, 3);
     data_.positions.reserve(piece_.vertices);
@@ -152,7 +153,7 @@ class SurfaceAssembler {
   void assemble_triangles() {
     const auto offsets = take(piece_.polys, "offsets", 1);
     const auto ids = offsets ? take_connectivity(*offsets) : std::nullopt;
-    if (!ids) throw InputError(name_ + ": section 'Polys' needs the arrays 'connectivity' and 'offsets'");
+    if (!ids) throw base::InputError(name_ + ": section 'Polys' needs the arrays 'connectivity' and 'offsets'");
     data_.triangles.reserve(piece_.triangles);
     for (std::size_t t = 0; t < piece_.triangles; ++t) {
       std::array<std::int64_t, 3> corners{};

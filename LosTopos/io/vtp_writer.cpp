@@ -1,7 +1,7 @@
 #include <set>
 
-#include "LosTopos/error.h"
-#include "LosTopos/io/atomic_file.h"
+#include "Base/error.h"
+#include "Base/io/atomic_file.h"
 #include "LosTopos/io/base64.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/vtp.h"
@@ -12,9 +12,9 @@ namespace {
 
 void require_usable_names(const std::vector<DataArray>& arrays, std::set<std::string> taken) {
   for (const DataArray& array : arrays) {
-    if (array.name.empty()) throw InputError("an array for a .vtp file has no name");
+    if (array.name.empty()) throw base::InputError("an array for a .vtp file has no name");
     if (!taken.insert(array.name).second)
-      throw InputError("array name '" + array.name + "' is taken in a .vtp file; choose another");
+      throw base::InputError("array name '" + array.name + "' is taken in a .vtp file; choose another");
   }
 }
 
@@ -91,7 +91,7 @@ void write_vtp(const std::filesystem::path& path, const SurfaceData& data) {
   validate(data);
   require_usable_names(data.vertex_arrays, {});
   require_usable_names(data.triangle_arrays, {"region_a", "region_b"});
-  AtomicFile file(path);
+  base::AtomicFile file(path);
   VtpWriter(file.stream(), data).write();
   file.commit();
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/io/read_error.h"
 
 namespace lostopos {
@@ -174,7 +174,7 @@ std::string xml_escape(std::string_view value) {
   std::string result;
   for (const char c : value) {
     if (static_cast<unsigned char>(c) < 0x20)
-      throw InputError(in_quotes(value) + " holds a control character, which XML cannot hold");
+      throw base::InputError(in_quotes(value) + " holds a control character, which XML cannot hold");
     const auto entity = std::ranges::find(entities, c, &std::pair<char, std::string_view>::first);
     result += entity == entities.end() ? std::string_view(&c, 1) : entity->second;
   }

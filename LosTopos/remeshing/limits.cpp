@@ -4,15 +4,15 @@
 #include <numbers>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace lostopos {
 namespace {
 
 void require(bool good, const char* what, double value, const char* expected) {
   if (!good)
-    throw InputError(std::string("remesh options: ") + what + " is " + std::to_string(value) + "; it has to be " +
-                     expected);
+    throw base::InputError(std::string("remesh options: ") + what + " is " + std::to_string(value) + "; it has to be " +
+                           expected);
 }
 
 bool within(double value, double low, double high) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace lostopos {
 namespace {
@@ -80,10 +80,13 @@ void add_film(SurfaceMesh& mesh, const Ring& rim, const Profile& profile, double
 }  // namespace
 
 SurfaceMesh films_on_circle(double rim_radius, std::span<const CircleFilm> films, long segments) {
-  if (!(std::isfinite(rim_radius) && rim_radius > 0)) throw InputError("the circle's radius has to be finite and > 0");
-  if (segments < 6) throw InputError("a circle needs 6 segments or more; " + std::to_string(segments) + " are too few");
+  if (!(std::isfinite(rim_radius) && rim_radius > 0))
+    throw base::InputError("the circle's radius has to be finite and > 0");
+  if (segments < 6)
+    throw base::InputError("a circle needs 6 segments or more; " + std::to_string(segments) + " are too few");
   for (const CircleFilm& film : films)
-    if (!(std::abs(film.polar_angle) < pi)) throw InputError("a polar angle has to lie between -180 and 180 degrees");
+    if (!(std::abs(film.polar_angle) < pi))
+      throw base::InputError("a polar angle has to lie between -180 and 180 degrees");
   SurfaceMesh mesh;
   const double edge = 2 * pi * rim_radius / static_cast<double>(segments);
   const Ring rim = add_ring(mesh, 0, rim_radius, segments, 0);

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "LosTopos/error.h"
-#include "LosTopos/names/nearest_name.h"
+#include "Base/error.h"
+#include "Base/names/nearest_name.h"
 #include "LosTopos/shapes/solids.h"
 
 namespace lostopos {
@@ -115,14 +115,14 @@ struct NamedLayout {
 SphereLayout sphere_layout_by_name(std::string_view name) {
   static constexpr std::array layouts{NamedLayout{"grid", SphereLayout::grid},
                                       NamedLayout{"random", SphereLayout::random}};
-  return find_by_name(layouts, name, "layout").layout;
+  return base::find_by_name(layouts, name, "layout").layout;
 }
 
 std::vector<Sphere> sphere_layout(const SphereLayoutOptions& options) {
   constexpr long most = 1'000'000;
   if (options.spheres < 1 || options.spheres > most)
-    throw InputError("a layout of " + std::to_string(options.spheres) + " spheres; it needs 1 to " +
-                     std::to_string(most));
+    throw base::InputError("a layout of " + std::to_string(options.spheres) + " spheres; it needs 1 to " +
+                           std::to_string(most));
   Uniform uniform(options.seed);
   return options.layout == SphereLayout::grid ? grid(options.spheres, uniform) : anywhere(options.spheres, uniform);
 }

@@ -153,11 +153,12 @@ class FilmBuilder {
 void require_usable(const VoronoiFoamOptions& options) {
   constexpr long most_cells = 1'000'000;
   if (options.cells < 1 || options.cells > most_cells)
-    throw InputError("a Voronoi foam of " + std::to_string(options.cells) + " cells; it needs 1 to " +
-                     std::to_string(most_cells));
+    throw base::InputError("a Voronoi foam of " + std::to_string(options.cells) + " cells; it needs 1 to " +
+                           std::to_string(most_cells));
   if (options.relaxations < 0 || options.subdivisions < 0 || !(options.shortest_side >= 0) ||
       options.shortest_side > 0.5)
-    throw InputError("a Voronoi foam needs relaxations >= 0, subdivisions >= 0 and a shortest side between 0 and 0.5");
+    throw base::InputError(
+        "a Voronoi foam needs relaxations >= 0, subdivisions >= 0 and a shortest side between 0 and 0.5");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Program {
   int exit_code = exit_done;
 };
 
-/// Adds a command to the program; when it is given, its callback sets program.exit_code (or throws lostopos::Error).
+/// Adds a command to the program; when it is given, its callback sets program.exit_code (or throws base::Error).
 void add_run_command(CLI::App& app, Program& program);
 void add_scenes_command(CLI::App& app, Program& program);
 void add_study_command(CLI::App& app, Program& program);

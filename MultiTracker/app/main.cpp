@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "MultiTracker/app/commands.h"
 
 namespace {
@@ -22,7 +22,7 @@ int run_program(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    throw lostopos::InputError(std::string(error.what()) + " (see 'multitracker --help')");
+    throw base::InputError(std::string(error.what()) + " (see 'multitracker --help')");
   }
   return program.exit_code;
 }
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run_program(argc, argv);
-  } catch (const lostopos::InputError& error) {
+  } catch (const base::InputError& error) {
     std::fprintf(stderr, "multitracker: %s\n", error.what());
     return exit_bad_input;
   } catch (const std::exception& error) {

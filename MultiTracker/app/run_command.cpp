@@ -2,10 +2,10 @@
 #include <memory>
 #include <optional>
 
-#include "Console/interrupt_guard.h"
-#include "Console/progress.h"
-#include "Console/thread_limit.h"
-#include "LosTopos/error.h"
+#include "Base/console/interrupt_guard.h"
+#include "Base/console/progress.h"
+#include "Base/console/thread_limit.h"
+#include "Base/error.h"
 #include "LosTopos/io/mesh_file.h"
 #include "MultiTracker/app/commands.h"
 #include "MultiTracker/run/run.h"
@@ -22,8 +22,8 @@ struct Arguments {
   bool quiet = false, audit = false, force = false;
 };
 
-lostopos::OptionSet options_from(const Arguments& arguments, const SceneEntry& scene) {
-  lostopos::OptionSet options = options_of(scene);
+base::OptionSet options_from(const Arguments& arguments, const SceneEntry& scene) {
+  base::OptionSet options = options_of(scene);
   for (const std::string& assignment : arguments.assignments) options.set_assignment(assignment, "--set");
   if (arguments.steps) options.set("steps", *arguments.steps, "--steps");
   if (arguments.seed) options.set("seed", *arguments.seed, "--seed");
@@ -52,19 +52,19 @@ int exit_code_of(RunEnd end) {
 
 int run_scene(const Arguments& arguments, const Program& program) {
   const SceneEntry& scene = scene_by_name(arguments.scene);
-  const lostopos::OptionSet options = options_from(arguments, scene);
-  if (arguments.threads < 0) throw lostopos::InputError("--threads has to be a whole number >= 1");
-  const console::ThreadLimit limit(arguments.threads);
+  const base::OptionSet options = options_from(arguments, scene);
+  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 1");
+  const base::ThreadLimit limit(arguments.threads);
   std::optional<lostopos::SurfaceMesh> surface;
   if (!arguments.mesh.empty()) surface = lostopos::to_mesh(lostopos::read_surface(arguments.mesh));
   Tracking tracking(scene, options, std::move(surface));
-  const console::InterruptGuard guard;
+  const base::InterruptGuard guard;
   const RunOutcome outcome = [&] {
-    console::Progress progress(arguments.scene, arguments.quiet);
+    base::Progress progress(arguments.scene, arguments.quiet);
     return run(tracking, options.whole("steps"), options.whole("frame_every"),
                {arguments.out, arguments.force, arguments.audit},
                {[&](const Metrics& m, double fraction) { progress.show(m.step, m.time, fraction); },
-                [] { return console::InterruptGuard::interrupted(); }});
+                [] { return base::InterruptGuard::interrupted(); }});
   }();
   if (!arguments.out.empty())
     write_run_json(std::filesystem::path(arguments.out) / "run.json",

@@ -7,24 +7,24 @@
 namespace multitracker::app {
 namespace {
 
-void print_option(const lostopos::OptionSpec& spec, const lostopos::OptionValue& value) {
-  std::printf("  %-28s %s (default %s)\n", spec.key.c_str(), spec.summary.c_str(), lostopos::to_text(value).c_str());
+void print_option(const base::OptionSpec& spec, const base::OptionValue& value) {
+  std::printf("  %-28s %s (default %s)\n", spec.key.c_str(), spec.summary.c_str(), base::to_text(value).c_str());
 }
 
 void print_all() {
   std::printf("scenes (multitracker run NAME):\n");
   for (const SceneEntry& entry : scene_entries()) {
     std::printf("%-12s %s\n", entry.name.data(), entry.summary.data());
-    for (const lostopos::OptionSpec& spec : entry.options) print_option(spec, spec.default_value);
+    for (const base::OptionSpec& spec : entry.options) print_option(spec, spec.default_value);
   }
   std::printf("\noptions of every scene (--set key=value); 'multitracker scenes NAME' shows the defaults of one:\n");
-  for (const lostopos::OptionSpec& spec : common_option_specs()) print_option(spec, spec.default_value);
+  for (const base::OptionSpec& spec : common_option_specs()) print_option(spec, spec.default_value);
 }
 
 void print_one(const SceneEntry& entry) {
   std::printf("%s: %s\n", entry.name.data(), entry.summary.data());
-  const lostopos::OptionSet options = options_of(entry);
-  for (const lostopos::OptionSpec& spec : options.specs()) print_option(spec, options.value(spec.key));
+  const base::OptionSet options = options_of(entry);
+  for (const base::OptionSpec& spec : options.specs()) print_option(spec, options.value(spec.key));
 }
 
 }  // namespace

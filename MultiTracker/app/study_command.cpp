@@ -2,9 +2,9 @@
 #include <memory>
 #include <optional>
 
-#include "Console/interrupt_guard.h"
-#include "Console/progress.h"
-#include "LosTopos/io/csv_table.h"
+#include "Base/console/interrupt_guard.h"
+#include "Base/console/progress.h"
+#include "Base/io/csv_table.h"
 #include "MultiTracker/app/commands.h"
 #include "MultiTracker/study/robustness.h"
 
@@ -26,18 +26,18 @@ void print(const std::vector<RobustnessSummary>& summaries) {
 
 int study(const Arguments& arguments) {
   check(arguments.options);  // Before the table of an earlier study is replaced.
-  std::optional<lostopos::CsvTable> table;
+  std::optional<base::CsvTable> table;
   if (!arguments.out.empty()) table.emplace(arguments.out, robustness_csv_header());
-  const console::InterruptGuard guard;
+  const base::InterruptGuard guard;
   std::vector<RobustnessRun> runs;
   {
-    console::Progress progress("robustness", arguments.quiet);
+    base::Progress progress("robustness", arguments.quiet);
     long count = 0;
     runs = run_robustness(arguments.options, {[&](const RobustnessRun& run, double fraction) {
                                                 if (table) table->add(robustness_csv_row(run));
                                                 progress.show(++count, static_cast<double>(run.spheres), fraction);
                                               },
-                                              [] { return console::InterruptGuard::interrupted(); }});
+                                              [] { return base::InterruptGuard::interrupted(); }});
   }
   for (const RobustnessRun& run : runs)
     if (!run.success)
@@ -45,7 +45,7 @@ int study(const Arguments& arguments) {
                   run.message.c_str());
   print(summarise(runs));
   if (table) std::printf("runs in %s\n", arguments.out.c_str());
-  return console::InterruptGuard::interrupted() ? exit_interrupted : exit_done;
+  return base::InterruptGuard::interrupted() ? exit_interrupted : exit_done;
 }
 
 }  // namespace

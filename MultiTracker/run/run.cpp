@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "MultiTracker/run/run_files.h"
 
 namespace multitracker {
@@ -14,9 +14,9 @@ std::string do_step(Tracking& tracking, bool audit) {
   const std::string where = "step " + std::to_string(tracking.metrics().step + 1) + ": ";
   try {
     tracking.step();
-  } catch (const lostopos::InputError&) {
+  } catch (const base::InputError&) {
     throw;
-  } catch (const lostopos::Error& error) {
+  } catch (const base::Error& error) {
     return where + error.what();
   }
   if (!audit) return {};

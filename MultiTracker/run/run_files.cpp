@@ -3,14 +3,13 @@
 #include <array>
 #include <cstdio>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
+#include "Base/options/option_value.h"
 #include "LosTopos/io/mesh_file.h"
-#include "LosTopos/options/option_value.h"
 
 namespace multitracker {
 
 namespace fs = std::filesystem;
-using lostopos::to_text;
 
 namespace {
 
@@ -52,19 +51,18 @@ constexpr std::array run_files{"run.json", "metrics.csv", "volumes.csv", "events
 
 fs::path prepared(fs::path folder, bool force) {
   if (fs::exists(folder) && !fs::is_directory(folder))
-    throw lostopos::InputError(folder.string() + " is a file; the output has to go to a folder");
+    throw base::InputError(folder.string() + " is a file; the output has to go to a folder");
   std::error_code error;
   for (const char* name : run_files) {
     if (!fs::exists(folder / name)) continue;
     if (!force)
-      throw lostopos::InputError(folder.string() +
-                                 " already holds a run; give another --out, or --force to replace it");
+      throw base::InputError(folder.string() + " already holds a run; give another --out, or --force to replace it");
     fs::remove_all(folder / name, error);
   }
   fs::create_directories(folder / "frames", error);
   if (error)
-    throw lostopos::FileError("cannot make the output folder " + folder.string() + ": " + error.message() +
-                              "; give a folder that can be written to with --out");
+    throw base::FileError("cannot make the output folder " + folder.string() + ": " + error.message() +
+                          "; give a folder that can be written to with --out");
   return folder;
 }
 
@@ -79,12 +77,12 @@ RunFiles::RunFiles(fs::path folder, bool force)
 void RunFiles::write_step(const Tracking& tracking) {
   const Metrics& m = tracking.metrics();
   std::string row;
-  for (const Column& column : columns) row += (row.empty() ? "" : ",") + to_text(column.value(m));
+  for (const Column& column : columns) row += (row.empty() ? "" : ",") + base::to_text(column.value(m));
   metrics_.add(row + "\n");
-  const std::string when = std::to_string(m.step) + "," + to_text(m.time) + ",";
+  const std::string when = std::to_string(m.step) + "," + base::to_text(m.time) + ",";
   std::string rows;
   for (const RegionState& state : region_states(tracking.mesh()))
-    rows += when + std::to_string(state.region.index()) + "," + to_text(state.volume) + "," +
+    rows += when + std::to_string(state.region.index()) + "," + base::to_text(state.volume) + "," +
             std::to_string(state.faces) + "," + (state.touches_air ? "1" : "0") + "\n";
   volumes_.add(rows);
   rows.clear();
@@ -92,7 +90,7 @@ void RunFiles::write_step(const Tracking& tracking) {
     rows += when + name(event.kind) + ",";
     for (std::size_t i = 0; i < event.regions.size(); ++i)
       rows += (i == 0 ? "" : " ") + std::to_string(event.regions[i].index());
-    for (double x : event.position) rows += "," + to_text(x);
+    for (double x : event.position) rows += "," + base::to_text(x);
     rows += "\n";
   }
   if (!rows.empty()) events_.add(rows);

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "LosTopos/io/csv_table.h"
+#include "Base/io/csv_table.h"
 #include "MultiTracker/run/tracking.h"
 
 namespace multitracker {
@@ -11,8 +11,8 @@ namespace multitracker {
 /// touches_air; a row a region and step), events.csv (step, time, kind, regions, position), and frames/*.ply.
 class RunFiles {
  public:
-  /// Makes the folder. Throws lostopos::InputError when it holds a run already and `force` is false (with force that
-  /// run is removed), lostopos::FileError when it cannot be written.
+  /// Makes the folder. Throws base::InputError when it holds a run already and `force` is false (with force that
+  /// run is removed), base::FileError when it cannot be written.
   RunFiles(std::filesystem::path folder, bool force);
 
   /// Adds the rows of the step that has just been done.
@@ -25,7 +25,7 @@ class RunFiles {
 
  private:
   std::filesystem::path folder_, last_frame_;
-  lostopos::CsvTable metrics_, volumes_, events_;
+  base::CsvTable metrics_, volumes_, events_;
 };
 
 }  // namespace multitracker

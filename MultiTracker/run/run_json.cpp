@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "LosTopos/io/atomic_file.h"
+#include "Base/io/atomic_file.h"
 
 namespace multitracker {
 
@@ -43,16 +43,16 @@ ordered_json state(const Metrics& m) {
           {"volume_drift_max", m.volume_drift_max}};
 }
 
-ordered_json all_options(const lostopos::OptionSet& options) {
+ordered_json all_options(const base::OptionSet& options) {
   ordered_json all = ordered_json::object();
-  for (const lostopos::OptionSpec& spec : options.specs())
+  for (const base::OptionSpec& spec : options.specs())
     std::visit([&](const auto& value) { all[spec.key] = value; }, options.value(spec.key));
   return all;
 }
 
 }  // namespace
 
-void write_run_json(const std::filesystem::path& file, const RunCall& call, const lostopos::OptionSet& options,
+void write_run_json(const std::filesystem::path& file, const RunCall& call, const base::OptionSet& options,
                     const RunOutcome& outcome) {
   const ordered_json value{{"version", call.version},
                            {"command", call.command},
@@ -69,7 +69,7 @@ void write_run_json(const std::filesystem::path& file, const RunCall& call, cons
                            {"incomplete_vertices", outcome.topology.incomplete_vertices},
                            {"remeshing", operations<lostopos::Operation>(outcome.remesh)},
                            {"last_frame", outcome.last_frame.filename().string()}};
-  lostopos::AtomicFile out(file);
+  base::AtomicFile out(file);
   out.stream() << value.dump(2) << '\n';
   out.commit();
 }

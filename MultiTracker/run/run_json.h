@@ -13,8 +13,8 @@ struct RunCall {
 };
 
 /// Writes run.json: version, command, scene with every option, threads, how the run ended, what was done and what it
-/// cost. Throws lostopos::FileError.
-void write_run_json(const std::filesystem::path& file, const RunCall& call, const lostopos::OptionSet& options,
+/// cost. Throws base::FileError.
+void write_run_json(const std::filesystem::path& file, const RunCall& call, const base::OptionSet& options,
                     const RunOutcome& outcome);
 
 }  // namespace multitracker

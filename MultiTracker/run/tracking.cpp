@@ -4,13 +4,12 @@
 
 namespace multitracker {
 
-using lostopos::OptionSet;
 using lostopos::SurfaceMesh;
 
-Tracking::Tracking(const SceneEntry& scene, const OptionSet& options, std::optional<SurfaceMesh> surface)
+Tracking::Tracking(const SceneEntry& scene, const base::OptionSet& options, std::optional<SurfaceMesh> surface)
     : Tracking(scene, options, surface ? std::move(*surface) : scene.surface(options), 0) {}
 
-Tracking::Tracking(const SceneEntry& scene, const OptionSet& options, SurfaceMesh surface, int)
+Tracking::Tracking(const SceneEntry& scene, const base::OptionSet& options, SurfaceMesh surface, int)
     : closed_(scene.closed),
       drive_(scene.drive(options, surface)),
       tracker_(start_tracker(scene, options, std::move(surface))) {

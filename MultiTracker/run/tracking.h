@@ -13,8 +13,8 @@ namespace multitracker {
 /// A scene on its way, step by step, in memory.
 class Tracking {
  public:
-  /// Starts on `surface`, or on the scene's own. Throws lostopos::InputError for options out of range.
-  Tracking(const SceneEntry& scene, const lostopos::OptionSet& options,
+  /// Starts on `surface`, or on the scene's own. Throws base::InputError for options out of range.
+  Tracking(const SceneEntry& scene, const base::OptionSet& options,
            std::optional<lostopos::SurfaceMesh> surface = std::nullopt);
 
   /// Throws what SurfaceTracker::step throws; the surface is then as the last part of a step that could be done left
@@ -31,7 +31,7 @@ class Tracking {
   lostopos::AuditReport audit() const;
 
  private:
-  Tracking(const SceneEntry& scene, const lostopos::OptionSet& options, lostopos::SurfaceMesh surface, int);
+  Tracking(const SceneEntry& scene, const base::OptionSet& options, lostopos::SurfaceMesh surface, int);
 
   bool closed_;
   Drive drive_;

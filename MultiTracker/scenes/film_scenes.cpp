@@ -9,26 +9,21 @@
 
 namespace multitracker {
 
-using lostopos::non_negative_number;
-using lostopos::OptionSet;
-using lostopos::OptionSpec;
-using lostopos::positive_number;
 using lostopos::SurfaceMesh;
 using lostopos::SurfaceTracker;
 using lostopos::Vec3;
-using lostopos::whole_number;
 
 namespace {
 
 constexpr double box_width = 1.2, box_height = 0.6, box_depth = 0.6;
 constexpr double ring_radius = 0.5;
 
-OptionSpec subdivisions(long count) {
-  return whole_number("subdivisions", count, 0, "of each triangle of the start surface into four");
+base::OptionSpec subdivisions(long count) {
+  return base::whole_number("subdivisions", count, 0, "of each triangle of the start surface into four");
 }
 
-OptionSpec time_step(double dt) {
-  return positive_number("dt", dt, "time step");
+base::OptionSpec time_step(double dt) {
+  return base::positive_number("dt", dt, "time step");
 }
 
 // Films under tension: METHOD's bounds, and films part when that shrinks the area.
@@ -39,11 +34,11 @@ std::vector<SceneEntry::Default> under_tension(long steps) {
           {"topology.separation", std::string("area")}};
 }
 
-Drive mean_curvature(const OptionSet& options, const SurfaceMesh&) {
+Drive mean_curvature(const base::OptionSet& options, const SurfaceMesh&) {
   return {std::make_unique<MeanCurvatureFlow>(), options.number("dt")};
 }
 
-void hold_air_side(const OptionSet&, SurfaceTracker& tracker) {
+void hold_air_side(const base::OptionSet&, SurfaceTracker& tracker) {
   for (lostopos::Triangle t : tracker.mesh().triangles())
     if (tracker.mesh().labels(t).has(lostopos::air))
       for (lostopos::Vertex v : tracker.mesh().vertices(t)) tracker.held()[v] = lostopos::hold_all;
@@ -52,19 +47,19 @@ void hold_air_side(const OptionSet&, SurfaceTracker& tracker) {
 SceneEntry t1() {
   return {"T1",
           "two junction lines come together and part the other way",
-          {subdivisions(2), time_step(0.002), whole_number("layers", 2, 1, "rows of films along the lines"),
-           non_negative_number("gap", 0.12, "between the two lines; 0: four films meet in one line")},
+          {subdivisions(2), time_step(0.002), base::whole_number("layers", 2, 1, "rows of films along the lines"),
+           base::non_negative_number("gap", 0.12, "between the two lines; 0: four films meet in one line")},
           under_tension(60),
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             if (options.number("gap") > 0.9 * box_height)
-              throw lostopos::InputError("gap has to be at most " + std::to_string(0.9 * box_height));
+              throw base::InputError("gap has to be at most " + std::to_string(0.9 * box_height));
             return four_cells({.size = {box_width, box_height, box_depth},
                                .gap = options.number("gap"),
                                .layers = options.whole("layers"),
                                .subdivisions = options.whole("subdivisions")});
           },
           mean_curvature,
-          [](const OptionSet&, SurfaceTracker& tracker) {
+          [](const base::OptionSet&, SurfaceTracker& tracker) {
             hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), {box_width, box_height, box_depth});
           }};
 }
@@ -76,11 +71,11 @@ SceneEntry t2() {
       {subdivisions(3),
        time_step(0.002),
        {"size", 0.1, "of the small region against the whole", "a number in (0, 0.9]",
-        [](const lostopos::OptionValue& value) {
-          return std::get<double>(value) > 0 && std::get<double>(value) <= 0.9;
-        }}},
+        [](const base::OptionValue& value) { return std::get<double>(value) > 0 && std::get<double>(value) <= 0.9; }}},
       under_tension(40),
-      [](const OptionSet& options) { return nested_tetrahedra(options.number("size"), options.whole("subdivisions")); },
+      [](const base::OptionSet& options) {
+        return nested_tetrahedra(options.number("size"), options.whole("subdivisions"));
+      },
       mean_curvature,
       hold_air_side};
 }
@@ -91,18 +86,18 @@ SceneEntry prism() {
           {subdivisions(3),
            time_step(0.002),
            {"middle", std::string("edge"), "what is in the middle at the start", "edge or face",
-            [](const lostopos::OptionValue& value) {
+            [](const base::OptionValue& value) {
               const auto& word = std::get<std::string>(value);
               return word == "edge" || word == "face";
             }},
-           positive_number("height", 0.25, "of the prism, whose triangles have sides of 1"),
-           positive_number("size", 0.12, "of the edge or the face's sides at the start")},
+           base::positive_number("height", 0.25, "of the prism, whose triangles have sides of 1"),
+           base::positive_number("size", 0.12, "of the edge or the face's sides at the start")},
           under_tension(100),
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             const bool edge = options.word("middle") == "edge";
             const double limit = edge ? options.number("height") : 1;
             if (!(options.number("size") < limit))
-              throw lostopos::InputError("size has to be less than " + std::to_string(limit));
+              throw base::InputError("size has to be less than " + std::to_string(limit));
             return film_prism({.height = options.number("height"),
                                .middle = edge ? PrismMiddle::edge : PrismMiddle::face,
                                .size = options.number("size"),
@@ -115,17 +110,17 @@ SceneEntry prism() {
 SceneEntry mcf() {
   return {"mcf",
           "a random foam in the unit box that coarsens under mean curvature flow; its ends slide along the walls",
-          {subdivisions(1), time_step(2e-3), whole_number("cells", 30, 1, "bubbles at the start"),
-           whole_number("relaxations", 3, 0, "rounds that make the bubbles more alike")},
+          {subdivisions(1), time_step(2e-3), base::whole_number("cells", 30, 1, "bubbles at the start"),
+           base::whole_number("relaxations", 3, 0, "rounds that make the bubbles more alike")},
           under_tension(200),
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             return lostopos::voronoi_foam({.cells = options.whole("cells"),
                                            .seed = static_cast<std::uint64_t>(options.whole("seed")),
                                            .relaxations = static_cast<int>(options.whole("relaxations")),
                                            .subdivisions = options.whole("subdivisions")});
           },
           mean_curvature,
-          [](const OptionSet&, SurfaceTracker& tracker) {
+          [](const base::OptionSet&, SurfaceTracker& tracker) {
             hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), Vec3::Ones());
           }};
 }
@@ -133,19 +128,19 @@ SceneEntry mcf() {
 SceneEntry catenoid() {
   return {"catenoid",
           "a film between two rings that are pulled apart until it pinches off",
-          {time_step(0.005), whole_number("segments", 32, 8, "of each ring"),
-           positive_number("pull", 0.25, "speed of each ring"),
-           positive_number("half_length", 0.2, "from the middle to each ring of radius 0.5 at the start")},
+          {time_step(0.005), base::whole_number("segments", 32, 8, "of each ring"),
+           base::positive_number("pull", 0.25, "speed of each ring"),
+           base::positive_number("half_length", 0.2, "from the middle to each ring of radius 0.5 at the start")},
           under_tension(160),
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             return open_tube(ring_radius, options.number("half_length"), options.whole("segments"));
           },
-          [](const OptionSet& options, const SurfaceMesh&) -> Drive {
+          [](const base::OptionSet& options, const SurfaceMesh&) -> Drive {
             return {std::make_unique<PulledApartFlow>(std::make_unique<MeanCurvatureFlow>(), options.number("pull")),
                     options.number("dt")};
           },
           // Everything at the film's free ends, also of a film from a file.
-          [](const OptionSet&, SurfaceTracker& tracker) {
+          [](const base::OptionSet&, SurfaceTracker& tracker) {
             for (lostopos::Edge e : tracker.mesh().edges())
               if (tracker.mesh().triangles(e).size() == 1)
                 for (lostopos::Vertex v : tracker.mesh().vertices(e)) tracker.held()[v] = lostopos::hold_all;

@@ -8,68 +8,67 @@
 
 namespace multitracker {
 
-using lostopos::flag;
-using lostopos::OptionSet;
-using lostopos::OptionSpec;
-using lostopos::positive_number;
+using base::flag;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::Vec3;
-using lostopos::whole_number;
 
 namespace {
 
-OptionSpec layout() {
+base::OptionSpec layout() {
   return {"layout", std::string("grid"), "of the spheres: jittered on a grid, or anywhere", "grid or random",
-          [](const lostopos::OptionValue& value) {
+          [](const base::OptionValue& value) {
             const auto& word = std::get<std::string>(value);
             return word == "grid" || word == "random";
           }};
 }
 
-std::vector<lostopos::Sphere> spheres(const OptionSet& options) {
+std::vector<lostopos::Sphere> spheres(const base::OptionSet& options) {
   return lostopos::sphere_layout({.spheres = options.whole("spheres"),
                                   .layout = lostopos::sphere_layout_by_name(options.word("layout")),
                                   .seed = static_cast<std::uint64_t>(options.whole("seed"))});
 }
 
-Drive growth(const OptionSet& options, const SurfaceMesh&) {
+Drive growth(const base::OptionSet& options, const SurfaceMesh&) {
   return {std::make_unique<FaceOffsetFlow>(PairSpeeds(options.number("speed"))), options.number("dt")};
 }
 
 SceneEntry normal_flow() {
-  return {
-      "normal-flow",
-      "spheres that grow along their normals until they press into a foam",
-      {whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
-       flag("one_region", false, "all spheres are one region and flow together"),
-       positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
-      // Films that are pressed together meet before they crumple: METHOD's distance, not that of plain tracking.
-      {{"steps", 60L}, {"topology.merge_distance", 0.1}},
-      [](const OptionSet& options) { return lostopos::sphere_meshes(spheres(options), options.flag("one_region")); },
-      // At unit speed: time is the way.
-      [](const OptionSet& options, const SurfaceMesh& start) -> Drive {
-        return {std::make_unique<NormalFlow>(1), options.number("step") * lostopos::mean_edge_length(start)};
-      }};
+  return {"normal-flow",
+          "spheres that grow along their normals until they press into a foam",
+          {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
+           base::flag("one_region", false, "all spheres are one region and flow together"),
+           base::positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
+          // Films that are pressed together meet before they crumple: METHOD's distance, not that of plain tracking.
+          {{"steps", 60L}, {"topology.merge_distance", 0.1}},
+          [](const base::OptionSet& options) {
+            return lostopos::sphere_meshes(spheres(options), options.flag("one_region"));
+          },
+          // At unit speed: time is the way.
+          [](const base::OptionSet& options, const SurfaceMesh& start) -> Drive {
+            return {std::make_unique<NormalFlow>(1), options.number("step") * lostopos::mean_edge_length(start)};
+          }};
 }
 
 SceneEntry merge() {
   return {"merge",
           "spheres of one region that grow into each other",
-          {whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
-           positive_number("speed", 1, "of growth along the normal"), positive_number("dt", 0.005, "time step")},
+          {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
+           base::positive_number("speed", 1, "of growth along the normal"),
+           base::positive_number("dt", 0.005, "time step")},
           {{"steps", 60L}},
-          [](const OptionSet& options) { return lostopos::sphere_meshes(spheres(options), true); },
+          [](const base::OptionSet& options) { return lostopos::sphere_meshes(spheres(options), true); },
           growth};
 }
 
 SceneEntry coalescence() {
   return {"coalescence",
           "two spheres of one region that touch and become one",
-          {positive_number("gap", 0.05, "between the two spheres of radius 0.5 at the start"),
-           positive_number("speed", 1, "of growth along the normal"), positive_number("dt", 0.002, "time step")},
+          {base::positive_number("gap", 0.05, "between the two spheres of radius 0.5 at the start"),
+           base::positive_number("speed", 1, "of growth along the normal"),
+           base::positive_number("dt", 0.002, "time step")},
           {{"steps", 40L}},
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             const Vec3 off(0.5 + options.number("gap") / 2, 0, 0);
             return lostopos::sphere_meshes({{off, 0.5}, {-off, 0.5}}, true);
           },
@@ -79,21 +78,24 @@ SceneEntry coalescence() {
 SceneEntry cyclic_flow() {
   return {"cyclicflow",
           "three regions that chase each other in a box",
-          {whole_number("subdivisions", 2, 0, "of each triangle of the start surface into four"),
-           whole_number("layers", 2, 1, "rows of films along the line in which the regions meet"),
-           positive_number("speed_12", 1, "at which region 1 grows into 2"),
-           positive_number("speed_23", 1, "at which region 2 grows into 3"),
-           positive_number("speed_31", 1, "at which region 3 grows into 1"), positive_number("dt", 0.01, "time step")},
+          {base::whole_number("subdivisions", 2, 0, "of each triangle of the start surface into four"),
+           base::whole_number("layers", 2, 1, "rows of films along the line in which the regions meet"),
+           base::positive_number("speed_12", 1, "at which region 1 grows into 2"),
+           base::positive_number("speed_23", 1, "at which region 2 grows into 3"),
+           base::positive_number("speed_31", 1, "at which region 3 grows into 1"),
+           base::positive_number("dt", 0.01, "time step")},
           {{"steps", 60L}},
-          [](const OptionSet& options) { return three_cells(options.whole("layers"), options.whole("subdivisions")); },
-          [](const OptionSet& options, const SurfaceMesh&) -> Drive {
+          [](const base::OptionSet& options) {
+            return three_cells(options.whole("layers"), options.whole("subdivisions"));
+          },
+          [](const base::OptionSet& options, const SurfaceMesh&) -> Drive {
             PairSpeeds speeds;
             speeds.set(Region(1), Region(2), options.number("speed_12"));
             speeds.set(Region(2), Region(3), options.number("speed_23"));
             speeds.set(Region(3), Region(1), options.number("speed_31"));
             return {std::make_unique<FaceOffsetFlow>(std::move(speeds)), options.number("dt")};
           },
-          [](const OptionSet&, lostopos::SurfaceTracker& tracker) {
+          [](const base::OptionSet&, lostopos::SurfaceTracker& tracker) {
             hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), Vec3::Ones());
           }};
 }

@@ -12,8 +12,6 @@
 
 namespace multitracker {
 
-using lostopos::OptionSet;
-using lostopos::OptionSpec;
 using lostopos::SurfaceMesh;
 using lostopos::Vec3;
 
@@ -22,28 +20,28 @@ namespace {
 const Vec3 box_centre(0.5, 0.5, 0.5);
 const Vec3 off_centre(0.5, 0.75, 0.5);
 
-SurfaceMesh sphere_at(const Vec3& centre, double radius, const OptionSet& options) {
+SurfaceMesh sphere_at(const Vec3& centre, double radius, const base::OptionSet& options) {
   SurfaceMesh mesh = lostopos::icosphere(options.whole("subdivisions"), radius);
   for (lostopos::Vertex v : mesh.vertices()) mesh.set_position(v, mesh.position(v) + centre);
   return mesh;
 }
 
-OptionSpec subdivisions(long count) {
+base::OptionSpec subdivisions(long count) {
   return {"subdivisions", count, "of each triangle of the start surface into four", "0 to 8",
-          [](const lostopos::OptionValue& value) { return std::get<long>(value) >= 0 && std::get<long>(value) <= 8; }};
+          [](const base::OptionValue& value) { return std::get<long>(value) >= 0 && std::get<long>(value) <= 8; }};
 }
 
 // One period of a velocity field in the number of steps there are.
-Drive one_period(std::unique_ptr<Flow> flow, const OptionSet& options) {
+Drive one_period(std::unique_ptr<Flow> flow, const base::OptionSet& options) {
   const double dt = flow->period() / static_cast<double>(std::max(1L, options.whole("period_steps")));
   return {std::make_unique<PrescribedFlow>(std::move(flow)), dt};
 }
 
-OptionSpec period_steps(long count) {
-  return lostopos::whole_number("period_steps", count, 1, "steps in one period of the flow");
+base::OptionSpec period_steps(long count) {
+  return base::whole_number("period_steps", count, 1, "steps in one period of the flow");
 }
 
-Drive turn(const OptionSet& options, const SurfaceMesh&) {
+Drive turn(const base::OptionSet& options, const SurfaceMesh&) {
   return one_period(std::make_unique<RotationFlow>(box_centre), options);
 }
 
@@ -52,10 +50,10 @@ SceneEntry enright() {
           "a sphere drawn out into a thin sheet and back (LeVeque 1996, Enright et al. 2002)",
           {subdivisions(3), period_steps(300)},
           {{"steps", 300L}},
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             return sphere_at({0.35, 0.35, 0.35}, 0.15, options);
           },
-          [](const OptionSet& options, const SurfaceMesh&) {
+          [](const base::OptionSet& options, const SurfaceMesh&) {
             return one_period(std::make_unique<EnrightFlow>(), options);
           }};
 }
@@ -65,16 +63,16 @@ SceneEntry rotation() {
           "a sphere carried once around an axis",
           {subdivisions(3), period_steps(200)},
           {{"steps", 200L}},
-          [](const OptionSet& options) { return sphere_at(off_centre, 0.15, options); },
+          [](const base::OptionSet& options) { return sphere_at(off_centre, 0.15, options); },
           turn};
 }
 
 SceneEntry zalesak() {
   return {"zalesak",
           "a slotted disc carried once around an axis (Zalesak 1979)",
-          {subdivisions(1), period_steps(200), lostopos::whole_number("segments", 32, 12, "of the disc's rim")},
+          {subdivisions(1), period_steps(200), base::whole_number("segments", 32, 12, "of the disc's rim")},
           {{"steps", 200L}},
-          [](const OptionSet& options) {
+          [](const base::OptionSet& options) {
             return slotted_disc({.centre = off_centre,
                                  .segments = options.whole("segments"),
                                  .subdivisions = options.whole("subdivisions")});
@@ -85,14 +83,14 @@ SceneEntry zalesak() {
 SceneEntry noise() {
   return {"noise",
           "a sphere stirred by random curl noise and growing, in turn",
-          {subdivisions(3), lostopos::positive_number("dt", 0.01, "time step"),
-           lostopos::positive_number("noise_speed", 0.5, "root mean square speed of the noise"),
-           lostopos::positive_number("wavelength", 0.5, "longest in the noise"),
-           lostopos::positive_number("growth", 0.1, "speed along the normal"),
-           lostopos::positive_number("turn", 0.1, "time after which noise and growth take turns")},
+          {subdivisions(3), base::positive_number("dt", 0.01, "time step"),
+           base::positive_number("noise_speed", 0.5, "root mean square speed of the noise"),
+           base::positive_number("wavelength", 0.5, "longest in the noise"),
+           base::positive_number("growth", 0.1, "speed along the normal"),
+           base::positive_number("turn", 0.1, "time after which noise and growth take turns")},
           {},
-          [](const OptionSet& options) { return sphere_at(box_centre, 0.15, options); },
-          [](const OptionSet& options, const SurfaceMesh&) -> Drive {
+          [](const base::OptionSet& options) { return sphere_at(box_centre, 0.15, options); },
+          [](const base::OptionSet& options, const SurfaceMesh&) -> Drive {
             std::vector<std::unique_ptr<SurfaceFlow>> flows;
             flows.push_back(std::make_unique<PrescribedFlow>(
                 std::make_unique<CurlNoiseFlow>(static_cast<std::uint64_t>(options.whole("seed")),

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "LosTopos/options/option_set.h"
+#include "Base/options/option_set.h"
 #include "LosTopos/surface_tracker.h"
 #include "MultiTracker/flows/surface_flow.h"
 
@@ -19,32 +19,32 @@ struct Drive {
 
 /// A surface and the flow that moves it.
 struct SceneEntry {
-  using Default = std::pair<std::string_view, lostopos::OptionValue>;
+  using Default = std::pair<std::string_view, base::OptionValue>;
 
   std::string_view name;
   std::string_view summary;
-  std::vector<lostopos::OptionSpec> options;  ///< its own, in addition to those of every scene
-  std::vector<Default> defaults;              ///< where they differ from those of every scene
-  lostopos::SurfaceMesh (*surface)(const lostopos::OptionSet&);
+  std::vector<base::OptionSpec> options;  ///< its own, in addition to those of every scene
+  std::vector<Default> defaults;          ///< where they differ from those of every scene
+  lostopos::SurfaceMesh (*surface)(const base::OptionSet&);
   /// For the surface at the start, which may come from a file.
-  Drive (*drive)(const lostopos::OptionSet&, const lostopos::SurfaceMesh& start);
+  Drive (*drive)(const base::OptionSet&, const lostopos::SurfaceMesh& start);
   /// Says what is held at the start; null: nothing.
-  void (*hold)(const lostopos::OptionSet&, lostopos::SurfaceTracker&) = nullptr;
+  void (*hold)(const base::OptionSet&, lostopos::SurfaceTracker&) = nullptr;
   bool closed = true;  ///< false: films end at rings, and so have no volumes to keep
 };
 
 const std::vector<SceneEntry>& scene_entries();
-/// Throws lostopos::InputError with the nearest name.
+/// Throws base::InputError with the nearest name.
 const SceneEntry& scene_by_name(std::string_view name);
 
 /// All options of a scene with their defaults.
-lostopos::OptionSet options_of(const SceneEntry& scene);
+base::OptionSet options_of(const SceneEntry& scene);
 /// The options that every scene has, with the defaults for plain tracking (METHOD "Remeshing and topology").
-std::vector<lostopos::OptionSpec> common_option_specs();
+std::vector<base::OptionSpec> common_option_specs();
 
 /// The tracker of a scene at its start, on `surface`: its resolution is that of the options or, when that is 0, the
-/// mean edge length. Throws lostopos::InputError for options out of range.
-lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const lostopos::OptionSet& options,
+/// mean edge length. Throws base::InputError for options out of range.
+lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const base::OptionSet& options,
                                        lostopos::SurfaceMesh surface);
 
 }  // namespace multitracker

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <exception>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace multitracker {
 namespace {
@@ -70,9 +70,9 @@ ChildResult run_in_child(const std::function<std::string()>& work, double time_l
                          const std::function<bool()>& interrupted) {
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0)
-    throw lostopos::FileError(std::string("cannot make a pipe to a child process: ") + std::strerror(errno));
+    throw base::FileError(std::string("cannot make a pipe to a child process: ") + std::strerror(errno));
   const pid_t child = ::fork();
-  if (child < 0) throw lostopos::FileError(std::string("cannot start a child process: ") + std::strerror(errno));
+  if (child < 0) throw base::FileError(std::string("cannot start a child process: ") + std::strerror(errno));
   if (child == 0) {
     ::close(ends[0]);
     be_child(work, ends[1]);

@@ -4,19 +4,17 @@
 #include <cmath>
 #include <sstream>
 
-#include "LosTopos/error.h"
-#include "LosTopos/options/option_value.h"
+#include "Base/error.h"
+#include "Base/options/option_value.h"
 #include "MultiTracker/run/run.h"
 #include "MultiTracker/study/child_process.h"
 
 namespace multitracker {
 
-using lostopos::to_text;
-
 namespace {
 
-lostopos::OptionSet options_of_run(const RobustnessOptions& options, long spheres, double step, long seed) {
-  lostopos::OptionSet set = options_of(scene_by_name("normal-flow"));
+base::OptionSet options_of_run(const RobustnessOptions& options, long spheres, double step, long seed) {
+  base::OptionSet set = options_of(scene_by_name("normal-flow"));
   for (const std::string& assignment : options.assignments) set.set_assignment(assignment, "--set");
   set.set("spheres", spheres, "--spheres");
   // As many whole steps of about that length as make up the motion exactly.
@@ -29,7 +27,7 @@ lostopos::OptionSet options_of_run(const RobustnessOptions& options, long sphere
 }
 
 // In the child. The text is the figures, then the message.
-std::string do_run(const lostopos::OptionSet& options, bool audit_every_step) {
+std::string do_run(const base::OptionSet& options, bool audit_every_step) {
   Tracking tracking(scene_by_name("normal-flow"), options);
   RunOutcome outcome = run(tracking, options.whole("steps"), 0, {{}, false, audit_every_step});
   if (outcome.end == RunEnd::finished) {
@@ -67,12 +65,12 @@ RobustnessRun read(const ChildResult& child) {
 
 void check(const RobustnessOptions& options) {
   if (options.seeds < 1 || !(options.total_motion > 0) || !(options.time_limit > 0))
-    throw lostopos::InputError("a robustness study needs seeds >= 1, a total motion > 0 and a time limit > 0");
+    throw base::InputError("a robustness study needs seeds >= 1, a total motion > 0 and a time limit > 0");
   for (double step : options.steps)
     if (!(step > 0 && step <= options.total_motion))
-      throw lostopos::InputError("--steps-of " + to_text(step) +
-                                 " is not allowed; a step has to be > 0 and at most the " + "total motion, " +
-                                 to_text(options.total_motion));
+      throw base::InputError("--steps-of " + base::to_text(step) +
+                             " is not allowed; a step has to be > 0 and at most the " + "total motion, " +
+                             base::to_text(options.total_motion));
   for (long spheres : options.spheres)
     for (double step : options.steps) options_of_run(options, spheres, step, 1);
 }
@@ -85,7 +83,7 @@ std::vector<RobustnessRun> run_robustness(const RobustnessOptions& options, cons
     for (double step : options.steps)
       for (long seed = 1; seed <= options.seeds; ++seed) {
         if (hooks.interrupted && hooks.interrupted()) return runs;
-        const lostopos::OptionSet set = options_of_run(options, spheres, step, seed);
+        const base::OptionSet set = options_of_run(options, spheres, step, seed);
         const ChildResult child =
             run_in_child([&] { return do_run(set, options.audit_every_step); }, options.time_limit, hooks.interrupted);
         if (hooks.interrupted && hooks.interrupted()) return runs;
@@ -133,7 +131,7 @@ std::string robustness_csv_row(const RobustnessRun& run) {
        {static_cast<double>(run.spheres), run.step, static_cast<double>(run.seed), run.success ? 1.0 : 0.0,
         run.shared_area, run.air_area, static_cast<double>(run.triangles), static_cast<double>(run.junction_edges),
         static_cast<double>(run.snaps), static_cast<double>(run.separations), run.cpu_seconds, run.peak_megabytes})
-    row += to_text(value) + ",";
+    row += base::to_text(value) + ",";
   return row + "\"" + message + "\"\n";
 }
 

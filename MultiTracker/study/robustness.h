@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "LosTopos/options/option_set.h"
+#include "Base/options/option_set.h"
 
 namespace multitracker {
 
@@ -47,7 +47,7 @@ struct RobustnessHooks {
   std::function<bool()> interrupted;
 };
 
-/// Throws lostopos::InputError for options that make no sense.
+/// Throws base::InputError for options that make no sense.
 void check(const RobustnessOptions& options);
 
 /// Throws as `check`, before the first run. Ends early, with the runs done so

@@ -72,8 +72,8 @@ TEST_P(Advance, RefusesTheWrongNumberOfPredictions) {
   const auto before = tracker.mesh().state();
   std::vector<Vec3> predicted = positions_of(tracker.mesh());
   predicted.pop_back();
-  EXPECT_THROW(tracker.advance(predicted), Error);
-  EXPECT_THROW(tracker.advance({}), Error);
+  EXPECT_THROW(tracker.advance(predicted), base::Error);
+  EXPECT_THROW(tracker.advance({}), base::Error);
   EXPECT_TRUE(test::same_bits(before, tracker.mesh().state()));
 }
 
@@ -92,11 +92,11 @@ INSTANTIATE_TEST_SUITE_P(Collisions, Advance, testing::Bool(),
                          [](const auto& info) { return info.param ? "avoided" : "let_be"; });
 
 TEST(SurfaceTracker, SaysWhatIsWrongWithItsOptions) {
-  EXPECT_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8)), InputError) << "no resolution";
+  EXPECT_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8)), base::InputError) << "no resolution";
   TrackerOptions options{.resolution = std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8), options), InputError);
+  EXPECT_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8), options), base::InputError);
   options = {.resolution = 0.5, .remesh = {.shortest_edge = 0.9}};
-  EXPECT_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8), options), InputError);
+  EXPECT_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8), options), base::InputError);
   options = {.collisions = false, .remeshing = false};
   EXPECT_NO_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8), options)) << "needs no resolution";
 }

@@ -49,7 +49,7 @@ TEST(RigidMotion, TurnsAndShiftsKeepTheShape) {
   EXPECT_NEAR(volume_of(tracking.mesh(), 1) / volume, 1, 1e-3);
 
   const SceneEntry& scene = scene_by_name("rotation");
-  const lostopos::OptionSet options = options_of(scene);
+  const base::OptionSet options = options_of(scene);
   lostopos::SurfaceTracker tracker = start_tracker(scene, options, scene.surface(options));
   const Vec3 shift(0.003, -0.002, 0.001);
   for (int i = 0; i < 100; ++i) {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <set>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "MultiTracker/scenes/shapes/film_boxes.h"
 #include "MultiTracker/scenes/shapes/slotted_disc.h"
 #include "tests/MultiTracker/tracking_checks.h"
@@ -12,7 +12,6 @@
 namespace multitracker {
 namespace {
 
-using lostopos::InputError;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using test::have_film;
@@ -34,13 +33,13 @@ TEST(Scenes, AnUnknownNameOrKeyIsAnErrorWithTheNearest) {
   const auto message_of = [](auto&& act) -> std::string {
     try {
       act();
-    } catch (const InputError& error) {
+    } catch (const base::InputError& error) {
       return error.what();
     }
     return "no error";
   };
   EXPECT_NE(message_of([] { scene_by_name("enrigt"); }).find("did you mean 'enright'"), std::string::npos);
-  lostopos::OptionSet options = options_of(scene_by_name("normal-flow"));
+  base::OptionSet options = options_of(scene_by_name("normal-flow"));
   EXPECT_NE(message_of([&] { options.set_assignment("sphere=3", "--set"); }).find("did you mean 'spheres'"),
             std::string::npos);
   EXPECT_NE(message_of([&] { options.set_assignment("layout=gird", "--set"); }).find("grid or random"),
@@ -49,7 +48,7 @@ TEST(Scenes, AnUnknownNameOrKeyIsAnErrorWithTheNearest) {
 
 TEST(Scenes, HaveTheDefaultsOfPlainTrackingOrOfFilmsUnderTension) {
   for (const SceneEntry& scene : scene_entries()) {
-    const lostopos::OptionSet options = options_of(scene);
+    const base::OptionSet options = options_of(scene);
     const std::set<std::string_view> tension{"T1", "T2", "prism", "mcf", "catenoid"};
     const bool under_tension = tension.contains(scene.name);
     EXPECT_EQ(options.word("topology.separation"), under_tension ? "area" : "flow") << scene.name;

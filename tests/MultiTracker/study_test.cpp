@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "MultiTracker/study/child_process.h"
 #include "MultiTracker/study/robustness.h"
 
@@ -83,13 +83,13 @@ TEST(Robustness, SharesAsMuchAreaInLongStepsAsInShortOnes) {
 TEST(Robustness, RefusesBadOptionsBeforeTheFirstRun) {
   RobustnessOptions options;
   options.seeds = 0;
-  EXPECT_THROW(run_robustness(options), lostopos::InputError);
+  EXPECT_THROW(run_robustness(options), base::InputError);
   options.seeds = 1;
   options.steps = {0.5, -1};
-  EXPECT_THROW(run_robustness(options), lostopos::InputError);
+  EXPECT_THROW(run_robustness(options), base::InputError);
   options.steps = {0.5};
   options.assignments = {"no_such_key=1"};
-  EXPECT_THROW(run_robustness(options), lostopos::InputError);
+  EXPECT_THROW(run_robustness(options), base::InputError);
 }
 
 }  // namespace

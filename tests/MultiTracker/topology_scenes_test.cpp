@@ -135,7 +135,7 @@ TEST(Coalescence, TwoSpheresOfOneRegionBecomeOneSurface) {
 // Grown into each other, then under tension, which closes the pockets of air that contact at many places leaves.
 TEST(Contact, TwoBubblesGetOneWallInOneCircleOfBorder) {
   const SceneEntry& scene = scene_by_name("normal-flow");
-  const lostopos::OptionSet options = test::options_with(scene, {"spheres=2", "topology.separation=area"});
+  const base::OptionSet options = test::options_with(scene, {"spheres=2", "topology.separation=area"});
   lostopos::SurfaceTracker tracker = start_tracker(scene, options, scene.surface(options));
   const NormalFlow growth(1);
   const MeanCurvatureFlow tension;

@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "MultiTracker/run/tracking.h"
 
 namespace multitracker::test {
 
 using Settings = std::vector<std::string>;  ///< key=value
 
-inline lostopos::OptionSet options_with(const SceneEntry& scene, const Settings& settings) {
-  lostopos::OptionSet options = options_of(scene);
+inline base::OptionSet options_with(const SceneEntry& scene, const Settings& settings) {
+  base::OptionSet options = options_of(scene);
   for (const std::string& setting : settings) options.set_assignment(setting, "test");
   return options;
 }
@@ -29,7 +29,7 @@ inline Tracking start(std::string_view name, const Settings& settings = {}) {
 inline bool step_and_audit(Tracking& tracking) {
   try {
     tracking.step();
-  } catch (const lostopos::Error& error) {
+  } catch (const base::Error& error) {
     ADD_FAILURE() << "step " << tracking.metrics().step + 1 << ": " << error.what();
     return false;
   }

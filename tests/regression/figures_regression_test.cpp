@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "FoamSim/reproduce/angle_measures.h"
-#include "FoamSim/reproduce/report_scene.h"
-#include "FoamSim/reproduce/stretched_junction.h"
+#include "FoamSim/studies/reproduce/angle_measures.h"
+#include "FoamSim/studies/reproduce/report_scene.h"
+#include "FoamSim/studies/reproduce/stretched_junction.h"
 #include "LosTopos/mesh/measures.h"
 #include "tests/regression/reference_store.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "FoamSim/options/option_value.h"
-#include "FoamSim/output/csv_table.h"
-#include "LosTopos/io/atomic_file.h"
+#include "Base/io/atomic_file.h"
+#include "Base/io/csv_table.h"
+#include "Base/options/option_value.h"
 
 namespace foamsim::test {
 namespace {
@@ -25,18 +25,19 @@ struct Stored {
 
 std::vector<Stored> read_all() {
   std::vector<Stored> all;
-  read_csv(FOAMSIM_REFERENCE_FILE, header, [&](const std::vector<std::string>& cells) {
-    all.push_back({cells[0], std::get<double>(parse_option(cells[1], 0.0)),
-                   std::get<double>(parse_option(cells[2], 0.0)), cells[3]});
+  base::read_csv(FOAMSIM_REFERENCE_FILE, header, [&](const std::vector<std::string>& cells) {
+    all.push_back({cells[0], std::get<double>(base::parse_option(cells[1], 0.0)),
+                   std::get<double>(base::parse_option(cells[2], 0.0)), cells[3]});
   });
   return all;
 }
 
 void write_all(const std::vector<Stored>& all) {
-  lostopos::AtomicFile out(FOAMSIM_REFERENCE_FILE);
+  base::AtomicFile out(FOAMSIM_REFERENCE_FILE);
   out.stream() << header << '\n';
   for (const Stored& s : all)
-    out.stream() << s.quantity << ',' << to_text(s.value) << ',' << to_text(s.tolerance) << ',' << s.published << '\n';
+    out.stream() << s.quantity << ',' << base::to_text(s.value) << ',' << base::to_text(s.tolerance) << ','
+                 << s.published << '\n';
   out.commit();
 }
 

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "FoamSim/reproduce/table1.h"
+#include "FoamSim/studies/reproduce/table1.h"
 #include "tests/regression/reference_store.h"
 
 namespace foamsim {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "FoamSim/sheet/biot_savart/vortex_sources.h"
+#include "FoamSim/sheet/velocity/vortex_sources.h"
 #include "LosTopos/vec3.h"
 
 namespace foamsim::test {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim {
 
@@ -65,7 +65,7 @@ void add_cap(SurfaceMesh& mesh, long n, long overlap, int side, const Ring& junc
 }  // namespace
 
 SurfaceMesh double_bubble(long n) {
-  if (n < 8) throw lostopos::InputError("a double bubble needs n >= 8 subdivisions; n = " + std::to_string(n));
+  if (n < 8) throw base::InputError("a double bubble needs n >= 8 subdivisions; n = " + std::to_string(n));
   const long overlap = n / 8;
   SurfaceMesh mesh;
   mesh.reserve(static_cast<std::size_t>(2 * n * (n - overlap) + 3), static_cast<std::size_t>(4 * n * (n - overlap)));

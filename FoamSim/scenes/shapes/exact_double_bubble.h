@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FoamSim/study/double_bubble_equilibrium.h"
+#include "FoamSim/scenes/shapes/double_bubble_equilibrium.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace foamsim {

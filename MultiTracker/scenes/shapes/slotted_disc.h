@@ -13,8 +13,8 @@ struct SlottedDiscOptions {
   long subdivisions = 1;                     ///< of each triangle into four
 };
 
-/// Zalesak's slotted disc (1979), with a thickness: region 1 in the air. The rim is the polygon of its segments, with one
-/// side over the slot.
+/// Zalesak's slotted disc (1979), with a thickness: region 1 in the air. The rim is the polygon of its segments, with
+/// one side over the slot.
 lostopos::SurfaceMesh slotted_disc(const SlottedDiscOptions& options);
 
 }  // namespace multitracker

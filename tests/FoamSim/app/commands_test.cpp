@@ -163,7 +163,7 @@ TEST(Options, EachOneHasAnEffect) {
   const std::string two_bubbles = outcome("run twobubbles --set n=1"), foam = outcome("run foaminit"),
                     junction = outcome("run quadjunction --set n=2");
   const std::string damped = outcome("run doublebubble --set effects+=damping --set damping=0.1");
-  for (const OptionSpec& spec : scene_option_specs()) {
+  for (const base::OptionSpec& spec : scene_option_specs()) {
     const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
     if (spec.key.starts_with("tracker.")) continue;   // seen where films collide: TrackerOptionsOfScenes
     if (spec.key.starts_with("topology.")) continue;  // seen where films meet: TopologyOptionsOfScenes
@@ -215,7 +215,7 @@ TEST(ListCommands, NameEverythingThereIs) {
   const std::string scenes = run_foamsim("scenes").out, effects = run_foamsim("effects").out;
   for (const SceneEntry& scene : scene_entries()) EXPECT_NE(scenes.find(scene.name), std::string::npos) << scene.name;
   for (const EffectEntry& effect : effect_entries()) EXPECT_NE(effects.find(effect.name), std::string::npos);
-  for (const OptionSpec& spec : scene_option_specs())
+  for (const base::OptionSpec& spec : scene_option_specs())
     EXPECT_NE((scenes + effects).find("  " + spec.key + " "), std::string::npos) << spec.key;
 }
 

@@ -11,7 +11,7 @@
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
-#include "FoamSim/sheet/vertex_area/registry.h"
+#include "FoamSim/sheet/pressure/vertex_area/registry.h"
 
 namespace foamsim {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim {
 namespace {
@@ -92,7 +92,7 @@ TEST(Integrators, HaveNames) {
   try {
     integrator_by_name("rk5");
     FAIL() << "no error";
-  } catch (const lostopos::InputError& error) {
+  } catch (const base::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'rk4'"), std::string::npos) << error.what();
   }
 }

@@ -10,7 +10,7 @@
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
-#include "FoamSim/sheet/vertex_area/averaged.h"
+#include "FoamSim/sheet/pressure/vertex_area/averaged.h"
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -84,12 +84,12 @@ TEST(SimulationOptionsTest, ResolutionAndDelta) {
 }
 
 TEST(SimulationOptionsTest, NonsenseIsRefused) {
-  EXPECT_THROW(Simulation(SurfaceMesh(), {}, {}), lostopos::InputError);
-  EXPECT_THROW(Simulation(icosphere(0), {.dt = 0}, {}), lostopos::InputError);
-  EXPECT_THROW(Simulation(icosphere(0), {.dt = -1}, {}), lostopos::InputError);
-  EXPECT_THROW(Simulation(icosphere(0), {.dt = std::numeric_limits<double>::quiet_NaN()}, {}), lostopos::InputError);
-  EXPECT_THROW(Simulation(icosphere(0), {.delta = -1}, {}), lostopos::InputError);
-  EXPECT_THROW(Simulation(icosphere(0), {.resolution = -1}, {}), lostopos::InputError);
+  EXPECT_THROW(Simulation(SurfaceMesh(), {}, {}), base::InputError);
+  EXPECT_THROW(Simulation(icosphere(0), {.dt = 0}, {}), base::InputError);
+  EXPECT_THROW(Simulation(icosphere(0), {.dt = -1}, {}), base::InputError);
+  EXPECT_THROW(Simulation(icosphere(0), {.dt = std::numeric_limits<double>::quiet_NaN()}, {}), base::InputError);
+  EXPECT_THROW(Simulation(icosphere(0), {.delta = -1}, {}), base::InputError);
+  EXPECT_THROW(Simulation(icosphere(0), {.resolution = -1}, {}), base::InputError);
 }
 
 TEST(SimulationAtRest, WithoutTensionNothingMoves) {

@@ -4,18 +4,18 @@
 
 #include <set>
 
+#include "Base/error.h"
 #include "FoamSim/effects/damping.h"
 #include "FoamSim/scenes/shapes/solids.h"
-#include "LosTopos/error.h"
 
 namespace foamsim {
 namespace {
 
-OptionSet all_options() {
-  std::vector<OptionSpec> specs;
+base::OptionSet all_options() {
+  std::vector<base::OptionSpec> specs;
   for (const EffectEntry& entry : effect_entries())
     specs.insert(specs.end(), entry.options.begin(), entry.options.end());
-  return OptionSet(specs);
+  return base::OptionSet(specs);
 }
 
 std::vector<std::string_view> names_of(const std::vector<std::unique_ptr<Effect>>& effects) {
@@ -25,7 +25,7 @@ std::vector<std::string_view> names_of(const std::vector<std::unique_ptr<Effect>
 }
 
 TEST(EffectRegistry, MakesEveryEffectWithItsDefaults) {
-  const OptionSet options = all_options();
+  const base::OptionSet options = all_options();
   for (const EffectEntry& entry : effect_entries()) {
     const std::vector<std::string> name{std::string(entry.name)};
     const auto effects = make_effects(name, {options, 0.1});
@@ -36,7 +36,7 @@ TEST(EffectRegistry, MakesEveryEffectWithItsDefaults) {
 }
 
 TEST(EffectRegistry, ConstructsOnlyWhatIsNamedInTheRegistrysOrder) {
-  const OptionSet options = all_options();
+  const base::OptionSet options = all_options();
   const std::vector<std::string> asked{"diffusion", "surface_tension"};
   EXPECT_EQ(names_of(make_effects(asked, {options, 0.1})),
             (std::vector<std::string_view>{"surface_tension", "diffusion"}));
@@ -44,12 +44,12 @@ TEST(EffectRegistry, ConstructsOnlyWhatIsNamedInTheRegistrysOrder) {
 }
 
 TEST(EffectRegistry, UnknownNameComesWithTheNearest) {
-  const OptionSet options = all_options();
+  const base::OptionSet options = all_options();
   const std::vector<std::string> asked{"difusion"};
   try {
     make_effects(asked, {options, 0.1});
     FAIL() << "no error";
-  } catch (const lostopos::InputError& error) {
+  } catch (const base::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'diffusion'"), std::string::npos) << error.what();
   }
 }
@@ -57,7 +57,7 @@ TEST(EffectRegistry, UnknownNameComesWithTheNearest) {
 TEST(EffectRegistry, OptionsSayWhichEffectReadsThemAndAreNamedOnce) {
   std::set<std::string> keys;
   for (const EffectEntry& entry : effect_entries())
-    for (const OptionSpec& spec : entry.options) {
+    for (const base::OptionSpec& spec : entry.options) {
       EXPECT_EQ(spec.effect, entry.name);
       EXPECT_TRUE(keys.insert(spec.key).second) << spec.key;
       EXPECT_FALSE(spec.summary.empty()) << spec.key;
@@ -66,7 +66,7 @@ TEST(EffectRegistry, OptionsSayWhichEffectReadsThemAndAreNamedOnce) {
 }
 
 TEST(EffectRegistry, DefaultsAreTheReferences) {
-  const OptionSet options = all_options();
+  const base::OptionSet options = all_options();
   EXPECT_EQ(options.number("sigma"), 1);
   EXPECT_EQ(options.word("area"), "averaged");
   EXPECT_EQ(options.number("phi"), 0.5);
@@ -75,7 +75,7 @@ TEST(EffectRegistry, DefaultsAreTheReferences) {
 }
 
 TEST(EffectRegistry, OptionsReachTheEffect) {
-  OptionSet options = all_options();
+  base::OptionSet options = all_options();
   options.set("damping", 0.5, "test");
   lostopos::SurfaceMesh mesh = icosphere(0);
   SurfaceGeometry geometry;
@@ -89,11 +89,11 @@ TEST(EffectRegistry, OptionsReachTheEffect) {
 }
 
 TEST(EffectRegistry, DampingMustBeAFactor) {
-  OptionSet options = all_options();
-  for (double bad : {0.0, -0.5, 1.5}) EXPECT_THROW(options.set("damping", bad, "test"), lostopos::InputError) << bad;
-  for (double bad : {-1.0}) EXPECT_THROW(options.set("sigma", bad, "test"), lostopos::InputError) << bad;
-  EXPECT_THROW(options.set("phi", 0.0, "test"), lostopos::InputError);
-  EXPECT_THROW(options.set("diffusion", -1.0, "test"), lostopos::InputError);
+  base::OptionSet options = all_options();
+  for (double bad : {0.0, -0.5, 1.5}) EXPECT_THROW(options.set("damping", bad, "test"), base::InputError) << bad;
+  for (double bad : {-1.0}) EXPECT_THROW(options.set("sigma", bad, "test"), base::InputError) << bad;
+  EXPECT_THROW(options.set("phi", 0.0, "test"), base::InputError);
+  EXPECT_THROW(options.set("diffusion", -1.0, "test"), base::InputError);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
-#include "FoamSim/sheet/vertex_area/registry.h"
+#include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {

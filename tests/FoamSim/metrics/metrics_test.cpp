@@ -9,7 +9,7 @@
 #include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
-#include "FoamSim/sheet/vertex_area/averaged.h"
+#include "FoamSim/sheet/pressure/vertex_area/averaged.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {
@@ -124,11 +124,11 @@ TEST(MetricsTest, ScaleWithTheUnitOfLengthToTheBit) {
 }
 
 TEST(StageTimesTest, AddUpByName) {
-  StageTimes times;
+  base::StageTimes times;
   times.add("velocity", 1.5);
   times.add("move", 0.25);
   times.add("velocity", 0.5);
-  StageTimes all;
+  base::StageTimes all;
   all.add(times);
   all.add(times);
   EXPECT_EQ(all.seconds("velocity"), 4);

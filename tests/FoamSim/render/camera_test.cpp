@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "shapes.h"
 
 namespace foamsim::render {
@@ -73,20 +73,20 @@ TEST(Framing, scales_with_the_unit_of_length) {
 }
 
 TEST(Framing, refuses_what_it_cannot_frame) {
-  EXPECT_THROW(framing(std::span<const Surface>{}), lostopos::InputError);
-  EXPECT_THROW(framing(Surface{}), lostopos::InputError);
+  EXPECT_THROW(framing(std::span<const Surface>{}), base::InputError);
+  EXPECT_THROW(framing(Surface{}), base::InputError);
   Surface bad = sphere(8, 1);
   bad.positions[3].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(framing(bad), lostopos::InputError);
+  EXPECT_THROW(framing(bad), base::InputError);
   FramingOptions options;
   options.direction.setZero();
-  EXPECT_THROW(framing(sphere(8, 1), options), lostopos::InputError);
+  EXPECT_THROW(framing(sphere(8, 1), options), base::InputError);
   options = {};
   options.up = options.direction;
-  EXPECT_THROW(framing(sphere(8, 1), options), lostopos::InputError);
+  EXPECT_THROW(framing(sphere(8, 1), options), base::InputError);
   options = {};
   options.margin = 1;
-  EXPECT_THROW(framing(sphere(8, 1), options), lostopos::InputError);
+  EXPECT_THROW(framing(sphere(8, 1), options), base::InputError);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 
 namespace foamsim::render {
 namespace {
@@ -50,12 +50,12 @@ TEST(Grid, one_row_by_default_and_empty_pictures_leave_their_cell_blank) {
 }
 
 TEST(Grid, refuses_no_pictures_and_negative_gaps) {
-  EXPECT_THROW(grid({}), lostopos::InputError);
+  EXPECT_THROW(grid({}), base::InputError);
   const std::vector<Image> images{Image(2, 1, kRed)};
-  EXPECT_THROW(grid(images, {.gap = -1}), lostopos::InputError);
-  EXPECT_THROW(grid(images, {.columns = -1}), lostopos::InputError);
-  EXPECT_THROW(grid(images, {.margin = 40000}), lostopos::InputError);
-  EXPECT_THROW(Image(0, 4), lostopos::InputError);
+  EXPECT_THROW(grid(images, {.gap = -1}), base::InputError);
+  EXPECT_THROW(grid(images, {.columns = -1}), base::InputError);
+  EXPECT_THROW(grid(images, {.margin = 40000}), base::InputError);
+  EXPECT_THROW(Image(0, 4), base::InputError);
 }
 
 }  // namespace

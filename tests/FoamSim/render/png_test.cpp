@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "tests/support/scratch_folder.h"
 
 namespace foamsim::render {
@@ -90,14 +90,14 @@ TEST_F(PngTest, a_full_disk_is_an_error_and_leaves_nothing_new) {
   const Image image = noise(200, 200, true);
   {
     const FileSizeLimit limit(1000);
-    EXPECT_THROW(write_png(image, folder_ / "a.png"), lostopos::FileError);
+    EXPECT_THROW(write_png(image, folder_ / "a.png"), base::FileError);
   }
   EXPECT_EQ(files(), 0);
   const Image old = noise(3, 3, true);
   write_png(old, folder_ / "a.png");
   {
     const FileSizeLimit limit(1000);
-    EXPECT_THROW(write_png(image, folder_ / "a.png"), lostopos::FileError);
+    EXPECT_THROW(write_png(image, folder_ / "a.png"), base::FileError);
   }
   EXPECT_EQ(files(), 1);
   int channels = 0;
@@ -105,7 +105,7 @@ TEST_F(PngTest, a_full_disk_is_an_error_and_leaves_nothing_new) {
 }
 
 TEST_F(PngTest, devices_are_written_to_and_stay_devices) {
-  EXPECT_THROW(write_png(noise(200, 200, true), "/dev/full"), lostopos::FileError);
+  EXPECT_THROW(write_png(noise(200, 200, true), "/dev/full"), base::FileError);
   EXPECT_NO_THROW(write_png(noise(20, 20, true), "/dev/null"));
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
@@ -113,12 +113,12 @@ TEST_F(PngTest, devices_are_written_to_and_stay_devices) {
 
 TEST_F(PngTest, unusable_paths_are_named_in_the_message) {
   const Image image = noise(4, 4, true);
-  EXPECT_THROW(write_png(image, folder_), lostopos::FileError);
-  EXPECT_THROW(write_png(Image(), folder_ / "a.png"), lostopos::InputError);
+  EXPECT_THROW(write_png(image, folder_), base::FileError);
+  EXPECT_THROW(write_png(Image(), folder_ / "a.png"), base::InputError);
   try {
     write_png(image, folder_ / "missing" / "a.png");
     FAIL() << "no error";
-  } catch (const lostopos::FileError& e) {
+  } catch (const base::FileError& e) {
     EXPECT_NE(std::string(e.what()).find("missing/a.png"), std::string::npos) << e.what();
     EXPECT_NE(std::string(e.what()).find("No such file"), std::string::npos) << e.what();
   }

@@ -3,8 +3,8 @@
 #include <functional>
 #include <limits>
 
+#include "Base/error.h"
 #include "FoamSim/render/render.h"
-#include "LosTopos/error.h"
 #include "shapes.h"
 
 namespace foamsim::render {
@@ -23,7 +23,7 @@ TEST(RenderInput, refuses_broken_surfaces) {
   const auto refused = [&](const std::function<void(Surface&)>& breakage) {
     Surface s = sphere(8, 1);
     breakage(s);
-    EXPECT_THROW(render(s, camera, small()), lostopos::InputError);
+    EXPECT_THROW(render(s, camera, small()), base::InputError);
   };
   refused([](Surface& s) { s = Surface{}; });
   refused([](Surface& s) { s.triangles.clear(), s.labels.clear(); });
@@ -38,7 +38,7 @@ TEST(RenderInput, refuses_options_out_of_range) {
   const auto refused = [&](const std::function<void(RenderOptions&)>& breakage) {
     RenderOptions options = small();
     breakage(options);
-    EXPECT_THROW(render(s, options), lostopos::InputError);
+    EXPECT_THROW(render(s, options), base::InputError);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refused([](RenderOptions& o) { o.width = 0; });
@@ -58,13 +58,13 @@ TEST(RenderInput, refuses_cameras_that_see_nothing) {
   const Surface s = sphere(8, 1);
   Camera camera;
   camera.eye = camera.target;
-  EXPECT_THROW(render(s, camera, small()), lostopos::InputError);
+  EXPECT_THROW(render(s, camera, small()), base::InputError);
   camera = {};
   camera.up = camera.eye - camera.target;
-  EXPECT_THROW(render(s, camera, small()), lostopos::InputError);
+  EXPECT_THROW(render(s, camera, small()), base::InputError);
   camera = {};
   camera.vertical_fov = 180;
-  EXPECT_THROW(render(s, camera, small()), lostopos::InputError);
+  EXPECT_THROW(render(s, camera, small()), base::InputError);
 }
 
 TEST(RenderInput, triangles_of_zero_area_change_no_pixel) {

@@ -62,14 +62,14 @@ TEST(SafeMove, RefusesWrongSizesAndOptions) {
   SurfaceMesh mesh = corner_tetrahedron();
   const std::vector<Vec3> predicted = positions_of(mesh);
   const std::vector<char> held(3, 0);
-  EXPECT_THROW(move_safely(mesh, std::span(predicted).first(3), {}, {}), InputError);
-  EXPECT_THROW(move_safely(mesh, predicted, held, {}), InputError);
+  EXPECT_THROW(move_safely(mesh, std::span(predicted).first(3), {}, {}), base::InputError);
+  EXPECT_THROW(move_safely(mesh, predicted, held, {}), base::InputError);
   MoveOptions options;
   options.proximity_epsilon = -1;
-  EXPECT_THROW(move_safely(mesh, predicted, {}, options), InputError);
+  EXPECT_THROW(move_safely(mesh, predicted, {}, options), base::InputError);
   options = {};
   options.smallest_step = 0;
-  EXPECT_THROW(move_safely(mesh, predicted, {}, options), InputError);
+  EXPECT_THROW(move_safely(mesh, predicted, {}, options), base::InputError);
 }
 
 // A tetrahedron with its tip `gap` above the middle of a film, both far larger than the gap.

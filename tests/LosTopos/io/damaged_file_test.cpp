@@ -83,7 +83,7 @@ class DamagedFileTest : public IoTest {
     try {
       sample.read(file);
       good = true;
-    } catch (const InputError& error) {
+    } catch (const base::InputError& error) {
       EXPECT_NE(std::string(error.what()).find("damaged-"), std::string::npos) << what << ": " << error.what();
     } catch (const std::exception& error) {
       ADD_FAILURE() << sample.name << ", " << what << ": " << error.what();

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/surface_data.h"
 #include "tests/support/scratch_folder.h"
@@ -43,7 +43,7 @@ inline std::string content_of(const std::filesystem::path& path) {
 inline std::string input_error(const std::function<void()>& action) {
   try {
     action();
-  } catch (const InputError& error) {
+  } catch (const base::InputError& error) {
     return error.what();
   }
   ADD_FAILURE() << "no InputError was thrown";

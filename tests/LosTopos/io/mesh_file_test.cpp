@@ -78,12 +78,12 @@ TEST_F(MeshFileTest, WhatIsNoFile) {
   for (const std::string& extension : {std::string(".ply"), std::string(".obj"), std::string(".vtp"),
                                        std::string(".rec"), std::string(".arec"), std::string()}) {
     const auto file = path("missing").replace_extension(extension);
-    EXPECT_THROW(read_surface(file), FileError);
+    EXPECT_THROW(read_surface(file), base::FileError);
     expect_contains(input_error([&] { read_surface(file); }), file.string());
     const auto folder = path("folder").replace_extension(extension);
     std::filesystem::create_directory(folder);
-    EXPECT_THROW(read_surface(folder), FileError);
-    EXPECT_THROW(write_surface(folder, two_tetrahedra()), InputError);
+    EXPECT_THROW(read_surface(folder), base::FileError);
+    EXPECT_THROW(write_surface(folder, two_tetrahedra()), base::InputError);
   }
   expect_contains(input_error([&] { read_surface("/dev/zero"); }), "not a regular file");
 }

@@ -39,13 +39,13 @@ TEST_F(PvdTest, FrameThatCannotBeWrittenIsNotAdded) {
   PvdWriter writer(path("a.pvd"));
   writer.add(0, "a.vtp");
   const std::string before = content_of(path("a.pvd"));
-  EXPECT_THROW(writer.add(std::nan(""), "b.vtp"), InputError);
-  EXPECT_THROW(writer.add(1, "b\x01.vtp"), InputError);
-  EXPECT_THROW(writer.add(1, ""), InputError);
+  EXPECT_THROW(writer.add(std::nan(""), "b.vtp"), base::InputError);
+  EXPECT_THROW(writer.add(1, "b\x01.vtp"), base::InputError);
+  EXPECT_THROW(writer.add(1, ""), base::InputError);
   EXPECT_EQ(writer.frames().size(), 1U);
   EXPECT_EQ(content_of(path("a.pvd")), before);
   PvdWriter nowhere(path("none/a.pvd"));
-  EXPECT_THROW(nowhere.add(0, "a.vtp"), FileError);
+  EXPECT_THROW(nowhere.add(0, "a.vtp"), base::FileError);
   EXPECT_TRUE(nowhere.frames().empty());
 }
 
@@ -61,7 +61,7 @@ TEST_F(PvdTest, Errors) {
   expect_contains(error_of("<VTKFile type=\"Collection\"/>"), "no element 'Collection'");
   expect_contains(error_of("<VTKFile type=\"PolyData\"/>"), "'Collection' is wanted");
   expect_contains(error_of(""), "no XML element");
-  EXPECT_THROW(read_pvd(path("none.pvd")), FileError);
+  EXPECT_THROW(read_pvd(path("none.pvd")), base::FileError);
 }
 
 }  // namespace

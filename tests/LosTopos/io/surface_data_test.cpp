@@ -76,7 +76,7 @@ TEST(SurfaceData, WhatIsNotValidIsRefused) {
     SurfaceData data = two_tetrahedra_with_circulation();
     damage(data);
     expect_contains(input_error([&] { validate(data); }), message);
-    EXPECT_THROW(to_mesh(data), InputError);
+    EXPECT_THROW(to_mesh(data), base::InputError);
   }
 }
 

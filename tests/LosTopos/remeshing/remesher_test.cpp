@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "Base/error.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
-#include "LosTopos/error.h"
 #include "LosTopos/geometry/triangle_quality.h"
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/measures.h"
@@ -240,13 +240,13 @@ TEST(Remesher, SaysWhatIsWrongWithItsOptions) {
   SurfaceMesh mesh = test::corner_tetrahedron();
   auto held = mesh.add_vertex_attribute<char>(0);
   RemeshOptions options;
-  EXPECT_THROW(Remesher(mesh, held, options), InputError);
+  EXPECT_THROW(Remesher(mesh, held, options), base::InputError);
   options.target_edge = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(Remesher(mesh, held, options), InputError);
+  EXPECT_THROW(Remesher(mesh, held, options), base::InputError);
   options.target_edge = 1;
   EXPECT_NO_THROW(Remesher(mesh, held, options));
   options.shortest_edge = 0.8;
-  EXPECT_THROW(Remesher(mesh, held, options), InputError);
+  EXPECT_THROW(Remesher(mesh, held, options), base::InputError);
 }
 
 }  // namespace

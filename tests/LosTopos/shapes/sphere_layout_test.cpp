@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -74,10 +74,10 @@ TEST(SphereLayout, SameSeedSameBitsAndOthersDiffer) {
 }
 
 TEST(SphereLayout, BadOptionsAreRefused) {
-  EXPECT_THROW(sphere_layout({.spheres = 0}), InputError);
-  EXPECT_THROW(sphere_layout({.spheres = 2'000'000}), InputError);
+  EXPECT_THROW(sphere_layout({.spheres = 0}), base::InputError);
+  EXPECT_THROW(sphere_layout({.spheres = 2'000'000}), base::InputError);
   EXPECT_EQ(sphere_layout_by_name("random"), SphereLayout::random);
-  EXPECT_THROW(sphere_layout_by_name("gird"), InputError);
+  EXPECT_THROW(sphere_layout_by_name("gird"), base::InputError);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <limits>
 
-#include "LosTopos/error.h"
+#include "Base/error.h"
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -116,12 +116,12 @@ TEST(VoronoiFoamOptions, SameSeedSameBits) {
 }
 
 TEST(VoronoiFoamOptions, OutOfRangeIsRefused) {
-  EXPECT_THROW(voronoi_foam({.cells = 0}), InputError);
-  EXPECT_THROW(voronoi_foam({.cells = -3}), InputError);
-  EXPECT_THROW(voronoi_foam({.relaxations = -1}), InputError);
-  EXPECT_THROW(voronoi_foam({.subdivisions = -1}), InputError);
-  EXPECT_THROW(voronoi_foam({.shortest_side = std::nan("")}), InputError);
-  EXPECT_THROW(voronoi_foam({.shortest_side = 0.6}), InputError);
+  EXPECT_THROW(voronoi_foam({.cells = 0}), base::InputError);
+  EXPECT_THROW(voronoi_foam({.cells = -3}), base::InputError);
+  EXPECT_THROW(voronoi_foam({.relaxations = -1}), base::InputError);
+  EXPECT_THROW(voronoi_foam({.subdivisions = -1}), base::InputError);
+  EXPECT_THROW(voronoi_foam({.shortest_side = std::nan("")}), base::InputError);
+  EXPECT_THROW(voronoi_foam({.shortest_side = 0.6}), base::InputError);
 }
 
 }  // namespace

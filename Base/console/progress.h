@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace base {
+
+/// Shows how far a run is: a bar on a terminal, a line every few seconds elsewhere, nothing when quiet.
+class Progress {
+ public:
+  Progress(std::string label, bool quiet);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+  /// `fraction`: of the whole that is done.
+  void show(long step, double time, double fraction);
+  /// `detail`: what is being done now.
+  void show(const std::string& detail, double fraction);
+  /// Another label, the same clock.
+  void relabel(std::string label) { label_ = std::move(label); }
+  /// Takes a bar off the terminal, so that other lines can be written.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string label_;
+  bool quiet_, terminal_, drawn_ = false;
+  Clock::time_point start_, last_;
+};
+
+}  // namespace base

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace base {
+
+/// Base of every exception thrown by the project. The message says what was wrong, where, and what would be right.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The caller or the user gave something that cannot be used: a bad option, an unknown name, a malformed file.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A file could not be read or written (missing, not permitted, disk full).
+class FileError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+}  // namespace base

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+namespace base {
+
+/// A file that appears, complete, when it is committed, and not at all otherwise.
+///
+/// What is written to `stream()` goes to a temporary file in the same folder; `commit` renames it to `path`, so that a
+/// reader sees the old content or the new one, never a part. Without a commit the destructor removes the temporary and
+/// leaves `path` as it was. Where `path` is a symbolic link, the file it leads to is replaced; where it is a device or
+/// a pipe, the bytes go straight to it.
+///
+///     AtomicFile file("frame.csv");
+///     file.stream() << "a,b\n";
+///     file.commit();
+///
+/// It is not forced to disk (no fsync): the guarantee is against full disks and killed programs, not power cuts.
+class AtomicFile {
+ public:
+  /// Throws FileError when the temporary cannot be created, or `path` is a folder or write-protected.
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Binary, in the "C" locale. After a failed write it is in the state bad(); `commit` reports the reason.
+  std::ostream& stream() { return stream_; }
+  /// Writes what is buffered, closes the file and gives it its name. Throws FileError with the path and the system's
+  /// reason (disk full, file-size limit, ...) when that or any write before failed; the temporary is then removed.
+  /// Signals of the system that would end the program for such an error (SIGXFSZ, SIGPIPE) are held back.
+  void commit();
+
+ private:
+  class Buffer;
+
+  std::filesystem::path path_;       // as given
+  std::filesystem::path target_;     // links followed
+  std::filesystem::path temporary_;  // empty when there is none
+  std::unique_ptr<Buffer> buffer_;
+  std::ostream stream_;
+};
+
+}  // namespace base

@@ -1,0 +1,98 @@
+#include "Base/options/option_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "Base/error.h"
+#include "Base/names/nearest_name.h"
+
+namespace base {
+namespace {
+
+std::string prefix(std::string_view where) {
+  return where.empty() ? std::string() : std::string(where) + ": ";
+}
+
+void require_allowed(const OptionSpec& spec, const OptionValue& value, std::string_view where) {
+  const auto* number = std::get_if<double>(&value);
+  const bool finite = number == nullptr || std::isfinite(*number);
+  if (finite && (!spec.accepts || spec.accepts(value))) return;
+  throw InputError(prefix(where) + spec.key + " = " + to_text(value) + " is not allowed; it has to be " +
+                   (spec.allowed.empty() ? "finite" : spec.allowed));
+}
+
+}  // namespace
+
+OptionSet::OptionSet(std::vector<OptionSpec> specs) : specs_(std::move(specs)) {
+  for (const OptionSpec& spec : specs_) entries_.push_back({spec.default_value});
+}
+
+std::size_t OptionSet::place_of(std::string_view key, std::string_view where) const {
+  const auto it = std::ranges::find(specs_, key, &OptionSpec::key);
+  if (it != specs_.end()) return static_cast<std::size_t>(it - specs_.begin());
+  std::vector<std::string_view> known;
+  for (const OptionSpec& spec : specs_) known.push_back(spec.key);
+  throw InputError(prefix(where) + unknown_name_message("option", key, known));
+}
+
+void OptionSet::set_text(std::string_view key, std::string_view text, std::string_view where) {
+  const std::size_t place = place_of(key, where);
+  try {
+    set(key, parse_option(text, specs_[place].default_value), where);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    if (message.starts_with(prefix(where)) && !where.empty()) throw;
+    throw InputError(prefix(where) + std::string(key) + ": " + message);
+  }
+}
+
+void OptionSet::set(std::string_view key, const OptionValue& value, std::string_view where) {
+  const std::size_t place = place_of(key, where);
+  OptionValue converted;
+  try {
+    converted = convert_option(value, specs_[place].default_value);
+  } catch (const InputError& error) {
+    throw InputError(prefix(where) + std::string(key) + ": " + error.what());
+  }
+  require_allowed(specs_[place], converted, where);
+  entries_[place] = {std::move(converted), true};
+}
+
+void OptionSet::append(std::string_view key, std::string_view words, std::string_view where) {
+  const std::size_t place = place_of(key, where);
+  const auto* held = std::get_if<std::vector<std::string>>(&entries_[place].value);
+  if (held == nullptr)
+    throw InputError(prefix(where) + std::string(key) + " holds " + std::string(kind_of(entries_[place].value)) +
+                     "; += is for lists");
+  std::vector<std::string> all = *held;
+  const OptionValue added = parse_option(words, specs_[place].default_value);
+  for (const std::string& word : std::get<std::vector<std::string>>(added))
+    if (std::ranges::find(all, word) == all.end()) all.push_back(word);
+  set(key, all, where);
+}
+
+void OptionSet::set_default(std::string_view key, const OptionValue& value) {
+  const std::size_t place = place_of(key, "default");
+  entries_[place].value = convert_option(value, specs_[place].default_value);
+}
+
+void OptionSet::set_assignment(std::string_view assignment, std::string_view where) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos || equals == 0)
+    throw InputError(prefix(where) + "'" + std::string(assignment) + "' is not of the form key=value");
+  const std::string_view text = assignment.substr(equals + 1);
+  if (assignment[equals - 1] == '+')
+    append(assignment.substr(0, equals - 1), text, where);
+  else
+    set_text(assignment.substr(0, equals), text, where);
+}
+
+const OptionValue& OptionSet::value(std::string_view key) const {
+  return entries_[place_of(key, "")].value;
+}
+
+bool OptionSet::is_set(std::string_view key) const {
+  return entries_[place_of(key, "")].set;
+}
+
+}  // namespace base

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "Base/options/option_spec.h"
+
+namespace base {
+
+/// The options of one scene: a value for every spec, and which of them somebody set.
+///
+/// Keys are checked against the specs and values against what the specs allow at the moment they are set; every error
+/// is a InputError of one line that begins with `where` (a file and line, or "--set") and says what would be
+/// right.
+class OptionSet {
+ public:
+  explicit OptionSet(std::vector<OptionSpec> specs);
+
+  /// Sets an option from text as on the command line. "key+=word" text is handled by `append`.
+  void set_text(std::string_view key, std::string_view text, std::string_view where);
+  void set(std::string_view key, const OptionValue& value, std::string_view where);
+  /// Adds words to an option that holds a list, leaving out those it has.
+  void append(std::string_view key, std::string_view words, std::string_view where);
+  /// Replaces a default: `is_set` stays false.
+  void set_default(std::string_view key, const OptionValue& value);
+  /// Reads "key=value" or "key+=word" as after --set.
+  void set_assignment(std::string_view assignment, std::string_view where);
+
+  double number(std::string_view key) const { return std::get<double>(value(key)); }
+  long whole(std::string_view key) const { return std::get<long>(value(key)); }
+  bool flag(std::string_view key) const { return std::get<bool>(value(key)); }
+  const std::string& word(std::string_view key) const { return std::get<std::string>(value(key)); }
+  const std::vector<std::string>& words(std::string_view key) const {
+    return std::get<std::vector<std::string>>(value(key));
+  }
+  const OptionValue& value(std::string_view key) const;
+  bool is_set(std::string_view key) const;
+  const std::vector<OptionSpec>& specs() const { return specs_; }
+
+ private:
+  struct Entry {
+    OptionValue value;
+    bool set = false;
+  };
+  std::size_t place_of(std::string_view key, std::string_view where) const;
+
+  std::vector<OptionSpec> specs_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace base

@@ -1,0 +1,105 @@
+#include "FoamSim/run/run_directory.h"
+
+#include <array>
+#include <cstdio>
+#include <system_error>
+
+#include "Base/error.h"
+#include "Base/io/atomic_file.h"
+
+namespace foamsim {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array run_files{"run.json",   "metrics.csv",     "volumes.csv",
+                               "events.csv", "checkpoint.cbor", "surface.pvd"};
+constexpr std::array run_folders{"frames", "vtp"};
+
+bool holds_a_run(const fs::path& path) {
+  for (const char* file : run_files)
+    if (fs::exists(path / file)) return true;
+  for (const char* folder : run_folders)
+    if (fs::exists(path / folder)) return true;
+  return false;
+}
+
+void remove_run(const fs::path& path) {
+  std::error_code ignored;
+  for (const char* file : run_files) fs::remove(path / file, ignored);
+  for (const char* folder : run_folders) fs::remove_all(path / folder, ignored);
+}
+
+fs::path topmost_missing(const fs::path& path) {
+  fs::path missing;
+  for (fs::path p = fs::absolute(path); !p.empty() && !fs::exists(p) && p != p.parent_path(); p = p.parent_path())
+    missing = p;
+  return missing;
+}
+
+fs::path numbered(const fs::path& folder, long step, const char* extension) {
+  char name[40];
+  std::snprintf(name, sizeof(name), "frame_%06ld.%s", step, extension);
+  return folder / name;
+}
+
+void require_writable(const fs::path& path) {
+  base::AtomicFile probe(path / "frames" / "probe");
+  probe.stream() << "probe\n";
+  probe.commit();
+  fs::remove(path / "frames" / "probe");
+}
+
+}  // namespace
+
+RunDirectory RunDirectory::create(const fs::path& path, bool force) {
+  if (fs::exists(path) && !fs::is_directory(path))
+    throw base::InputError(path.string() + " is a file; the output has to go to a folder");
+  if (holds_a_run(path)) {
+    if (!force)
+      throw base::InputError(path.string() + " already holds a run; give another --out, or --force to replace it");
+    remove_run(path);
+  }
+  const fs::path made = topmost_missing(path);
+  std::error_code error;
+  fs::create_directories(path / "frames", error);
+  RunDirectory directory(path, made);
+  if (error) {
+    directory.discard();
+    throw base::FileError("cannot make the output folder " + path.string() + ": " + error.message() +
+                          "; give a folder that can be written to with --out");
+  }
+  try {
+    require_writable(path);
+  } catch (...) {
+    directory.discard();
+    throw;
+  }
+  return directory;
+}
+
+RunDirectory RunDirectory::open(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path / "frames", error);
+  if (error) throw base::FileError("cannot write to " + path.string() + ": " + error.message());
+  require_writable(path);
+  return {path, {}};
+}
+
+fs::path RunDirectory::frame(long step) const {
+  return numbered(path_ / "frames", step, "ply");
+}
+fs::path RunDirectory::vtp(long step) const {
+  return numbered(path_ / "vtp", step, "vtp");
+}
+
+void RunDirectory::discard() const {
+  std::error_code ignored;
+  if (!made_.empty())
+    fs::remove_all(made_, ignored);
+  else
+    remove_run(path_);
+}
+
+}  // namespace foamsim

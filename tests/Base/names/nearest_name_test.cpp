@@ -1,0 +1,40 @@
+#include "Base/names/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace foamsim {
+namespace {
+
+constexpr std::array<std::string_view, 4> kKnown{"naive", "constant-edge", "averaged", "doublebubble"};
+
+TEST(NearestName, FindsTyposOfEveryKind) {
+  EXPECT_EQ(base::nearest_name("avergaed", kKnown), "averaged") << "swapped";
+  EXPECT_EQ(base::nearest_name("averged", kKnown), "averaged") << "left out";
+  EXPECT_EQ(base::nearest_name("averraged", kKnown), "averaged") << "doubled";
+  EXPECT_EQ(base::nearest_name("avaraged", kKnown), "averaged") << "replaced";
+  EXPECT_EQ(base::nearest_name("NAIVE", kKnown), "naive") << "capitals";
+  EXPECT_EQ(base::nearest_name("constant_edge", kKnown), "constant-edge");
+  EXPECT_EQ(base::nearest_name("double-bubble", kKnown), "doublebubble");
+}
+
+TEST(NearestName, DoesNotGuessWhenNothingIsNear) {
+  EXPECT_EQ(base::nearest_name("zzzzzzzz", kKnown), "");
+  EXPECT_EQ(base::nearest_name("anything", {}), "");
+}
+
+TEST(NearestName, ExactNamesAreNearest) {
+  for (std::string_view name : kKnown) EXPECT_EQ(base::nearest_name(name, kKnown), name);
+}
+
+TEST(UnknownNameMessage, NamesKindNameSuggestionAndAllThatIsKnown) {
+  EXPECT_EQ(
+      base::unknown_name_message("area strategy", "naiv", kKnown),
+      "unknown area strategy 'naiv'; did you mean 'naive'? (known: naive, constant-edge, averaged, doublebubble)");
+  EXPECT_EQ(base::unknown_name_message("scene", "qqqqqqqqq", kKnown),
+            "unknown scene 'qqqqqqqqq' (known: naive, constant-edge, averaged, doublebubble)");
+}
+
+}  // namespace
+}  // namespace foamsim

@@ -1,10 +1,10 @@
 #include "LosTopos/surface_tracker.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "Base/timing/stopwatch.h"
 #include "LosTopos/error.h"
 #include "LosTopos/remeshing/limits.h"
 #include "LosTopos/remeshing/remesher.h"
@@ -21,13 +21,6 @@ bool has_many_gaps(const SurfaceMesh& mesh) {
     return static_cast<double>(slots - living) > most_dead_slots * static_cast<double>(slots);
   };
   return gaps(mesh.vertex_count(), mesh.vertex_slots()) || gaps(mesh.triangle_count(), mesh.triangle_slots());
-}
-
-template <class Work>
-double seconds_of(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -84,16 +77,19 @@ void SurfaceTracker::require_resolved(std::span<const Vec3> predicted) const {
 }
 
 void SurfaceTracker::move_part(std::span<const Vec3> predicted, TrackerStep& done) {
-  done.move_seconds += seconds_of([&] {
-    const MoveResult moved = move_to(predicted);
-    done.move.statistics += moved.statistics;
-    done.move.fraction += moved.fraction / done.parts;
-  });
+  const base::TimedScope timed(done.move_seconds);
+  const MoveResult moved = move_to(predicted);
+  done.move.statistics += moved.statistics;
+  done.move.fraction += moved.fraction / done.parts;
 }
 
 void SurfaceTracker::improve(TrackerStep& done) {
-  done.topology_seconds += seconds_of([&] { done.topology += change_topology(); });
-  done.remesh_seconds += seconds_of([&] { done.remesh += remesh(); });
+  {
+    const base::TimedScope timed(done.topology_seconds);
+    done.topology += change_topology();
+  }
+  const base::TimedScope timed(done.remesh_seconds);
+  done.remesh += remesh();
 }
 
 // How many parts the motion is to be done in; 0: it has been done, since nothing was in its way.
@@ -102,10 +98,8 @@ int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done)
   const double longest = options_.topology.longest_motion * options_.resolution;
   const int parts = std::max(1, static_cast<int>(std::ceil(motion_->set(mesh_, predicted) / longest - 1e-9)));
   if (parts == 1 || !options_.collisions) return 1;
-  done.move_seconds += seconds_of([&] {
-    const MoveResult moved = move_if_free(mesh_, predicted, hold_->held.slots(), move_options());
-    done.move = moved;
-  });
+  const base::TimedScope timed(done.move_seconds);
+  done.move = move_if_free(mesh_, predicted, hold_->held.slots(), move_options());
   return done.move.fraction > 0 ? 0 : parts;
 }
 
@@ -135,18 +129,18 @@ TopologyStatistics SurfaceTracker::change_topology() {
   TopologyStatistics statistics;
   const TopologyOptions& options = options_.topology;
   if (!options.enabled) return statistics;
-  statistics.seconds = seconds_of([&] {
-    RemeshContext context(mesh_, hold_->held, options_.remesh, observers_);
-    TopologyPass pass(
-        context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
-    if (options.collapse_regions) pass.collapse_small_regions();
-    if (options.snap) {
-      pass.merge_short_edges();
-      pass.snap_near_places();
-    }
-    if (options.separate) pass.separate_vertices();
-    pass.count_what_is_left();
-  });
+  const base::Stopwatch watch;
+  RemeshContext context(mesh_, hold_->held, options_.remesh, observers_);
+  TopologyPass pass(
+      context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
+  if (options.collapse_regions) pass.collapse_small_regions();
+  if (options.snap) {
+    pass.merge_short_edges();
+    pass.snap_near_places();
+  }
+  if (options.separate) pass.separate_vertices();
+  pass.count_what_is_left();
+  statistics.seconds = watch.seconds();
   return statistics;
 }
 

@@ -1,6 +1,7 @@
 // A whole step of a double bubble, as 'foamsim run' makes it: effects, velocity, move, geometry and metrics.
 #include <benchmark/benchmark.h>
 
+#include "Base/timing/stopwatch.h"
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/scene.h"
 
@@ -15,7 +16,7 @@ void double_bubble_step(benchmark::State& state) {
   for (auto _ : state) {
     foamsim::StepReport report = simulation.step();
     {
-      const base::StageTimer timer(report.times, "metrics");
+      const base::TimedScope timed(report.times, "metrics");
       benchmark::DoNotOptimize(foamsim::measure(simulation, report, 0, volumes));
     }
     times.add(report.times);

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
 
+#include "Base/timing/stopwatch.h"
 #include "FoamSim/scenes/scene.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "LosTopos/mesh/measures.h"
@@ -39,10 +39,6 @@ struct Row {
   double us_a_triangle() const { return 1e6 * total() / static_cast<double>(triangles); }
 };
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -70,11 +66,11 @@ std::vector<Vec3> swirled(const SurfaceMesh& mesh, double resolution, double sig
 // One step there or back; counts go to `row`.
 std::array<double, stage_count> measured_step(SurfaceTracker& tracker, double sign, Row& row) {
   const std::vector<Vec3> predicted = swirled(tracker.mesh(), tracker.options().resolution, sign);
-  const double start = seconds_now();
+  const base::Stopwatch watch;
   const lostopos::TrackerStep done = tracker.step(predicted);
   const lostopos::MoveStatistics& move = done.move.statistics;
   const lostopos::RemeshStatistics& remesh = done.remesh;
-  const double total = seconds_now() - start;
+  const double total = watch.seconds();
   std::array<double, stage_count> seconds{move.broad_phase_seconds,
                                           move.ccd_seconds,
                                           move.impulse_seconds + move.zone_seconds,
@@ -150,14 +146,14 @@ void print_simulation() {
   base::StageTimes times;
   lostopos::MoveStatistics move;
   lostopos::RemeshStatistics remesh;
-  const double start = seconds_now();
+  const base::Stopwatch watch;
   for (int i = 0; i < simulated_steps; ++i) {
     const foamsim::StepReport report = simulation.step();
     times.add(report.times);
     move += report.move;
     remesh += report.remesh;
   }
-  const double total = seconds_now() - start;
+  const double total = watch.seconds();
   std::printf("\ndoublebubble n=48, first %d steps, one thread: %zu triangles, milliseconds a step\n", simulated_steps,
               simulation.mesh().triangle_count());
   for (const auto& [stage, seconds] : times.stages())

@@ -12,11 +12,7 @@ constexpr double bar_interval = 0.1, line_interval = 5;  // seconds
 }  // namespace
 
 Progress::Progress(std::string label, bool quiet)
-    : label_(std::move(label)),
-      quiet_(quiet),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      start_(Clock::now()),
-      last_(start_) {}
+    : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   clear();
@@ -35,11 +31,10 @@ void Progress::show(long step, double time, double fraction) {
 
 void Progress::show(const std::string& detail, double fraction) {
   if (quiet_) return;
-  const auto now = Clock::now();
-  if (std::chrono::duration<double>(now - last_).count() < (terminal_ ? bar_interval : line_interval)) return;
-  last_ = now;
+  if (since_shown_.seconds() < (terminal_ ? bar_interval : line_interval)) return;
+  since_shown_.restart();
   drawn_ = true;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const double elapsed = since_start_.seconds();
   const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
   if (terminal_) {
     constexpr int width = 30;

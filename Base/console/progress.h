@@ -1,7 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <string>
+
+#include "Base/timing/stopwatch.h"
 
 namespace base {
 
@@ -22,10 +23,9 @@ class Progress {
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
   std::string label_;
   bool quiet_, terminal_, drawn_ = false;
-  Clock::time_point start_, last_;
+  Stopwatch since_start_, since_shown_;
 };
 
 }  // namespace base

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,21 +18,6 @@ class StageTimes {
 
  private:
   std::vector<std::pair<std::string, double>> stages_;
-};
-
-/// Adds the wall time of its own life to a stage.
-class StageTimer {
- public:
-  StageTimer(StageTimes& times, std::string_view stage) : times_(times), stage_(stage), start_(Clock::now()) {}
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-  ~StageTimer() { times_.add(stage_, std::chrono::duration<double>(Clock::now() - start_).count()); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  StageTimes& times_;
-  std::string_view stage_;
-  Clock::time_point start_;
 };
 
 }  // namespace base

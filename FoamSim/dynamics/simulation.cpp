@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "Base/error.h"
+#include "Base/timing/stopwatch.h"
 #include "FoamSim/sheet/energy.h"
 #include "FoamSim/sheet/region_constants.h"
 #include "LosTopos/mesh/measures.h"
@@ -61,7 +62,7 @@ StepReport Simulation::step() {
   const std::vector<double> before = gather_circulation();
   apply_effects(report.times);
   {
-    const base::StageTimer timer(report.times, "velocity");
+    const base::TimedScope timed(report.times, "velocity");
     const std::vector<double> after = gather_circulation();
     const auto positions = tracker_->mesh().positions();
     const VelocityFunction velocity_at = [this](std::span<const Vec3> x, std::span<Vec3> u) {
@@ -75,7 +76,7 @@ StepReport Simulation::step() {
   move_vertices(report.times);
   track(report);
   {
-    const base::StageTimer timer(report.times, "geometry");
+    const base::TimedScope timed(report.times, "geometry");
     geometry_.update(tracker_->mesh(), held());
   }
   ++steps_;
@@ -101,7 +102,7 @@ EffectStep Simulation::effect_step() const {
 
 void Simulation::move_vertices(base::StageTimes& times) {
   for (const auto& effect : effects_) {
-    const base::StageTimer timer(times, effect->name());
+    const base::TimedScope timed(times, effect->name());
     effect->move_vertices(effect_step(), predicted_);
   }
   const auto held_slots = held();
@@ -112,7 +113,7 @@ void Simulation::move_vertices(base::StageTimes& times) {
 void Simulation::apply_effects(base::StageTimes& times) {
   const EffectStep step = effect_step();
   for (const auto& effect : effects_) {
-    const base::StageTimer timer(times, effect->name());
+    const base::TimedScope timed(times, effect->name());
     effect->update_circulation(step, *circulation_);
   }
 }

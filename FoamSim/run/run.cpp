@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "Base/timing/stopwatch.h"
 #include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/run/checkpoint.h"
 #include "FoamSim/run/run_directory.h"
@@ -90,7 +91,7 @@ class Run {
     loop();
     // The last good state, unless the last step has just written it.
     {
-      const base::StageTimer timer(outcome_.times, "write");
+      const base::TimedScope timed(outcome_.times, "write");
       writer_.write_frame(start_.simulation);
       writer_.write_checkpoint(start_.scene, start_.simulation, start_.volumes, start_.centroid);
     }
@@ -134,12 +135,12 @@ class Run {
       return false;
     }
     {
-      const base::StageTimer timer(report.times, "metrics");
+      const base::TimedScope timed(report.times, "metrics");
       outcome_.last = measure(start_.simulation, report, 0, start_.volumes);
     }
     outcome_.last.step_seconds = seconds_since(begun);
     {
-      const base::StageTimer timer(report.times, "write");
+      const base::TimedScope timed(report.times, "write");
       writer_.write_step(start_.scene, start_.simulation, outcome_.last, start_.volumes, start_.centroid);
     }
     outcome_.times.add(report.times);

@@ -5,9 +5,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
+#include "Base/timing/stopwatch.h"
 namespace lostopos {
 namespace {
 
@@ -20,12 +20,6 @@ constexpr std::size_t many_pairs = 50;
 // Distances are good to some 20 units in the last place of the pair's extent, which is two boxes at most.
 constexpr double distance_error = 1e-12;
 constexpr double least_gap_over_proximity = 1e-3;
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_between(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double>(to - from).count();
-}
 
 // Box::overlaps without branches.
 bool overlap(const Box& a, const Box& b) {
@@ -90,19 +84,19 @@ ContactSearch::ContactSearch(const SurfaceMesh& mesh, Motion& motion, double pro
 }
 
 FoundContacts ContactSearch::all() {
-  const Clock::time_point start = Clock::now();
+  const base::Stopwatch watch;
   motion_.forget_changes();
   subjects_.assign(mesh_.triangles().begin(), mesh_.triangles().end());
   for (Triangle t : subjects_) is_subject_[t.index()] = 1;
   for (Edge e : mesh_.edges()) grow_edge_box(e);
   broad_phase_.build(mesh_, motion_.starts(), motion_.ends(), margin_);
   set_scale();
-  statistics_.broad_phase_seconds += seconds_between(start, Clock::now());
+  statistics_.broad_phase_seconds += watch.seconds();
   return search(false);
 }
 
 FoundContacts ContactSearch::again() {
-  const Clock::time_point start = Clock::now();
+  const base::Stopwatch watch;
   for (Vertex v : motion_.changed()) {
     for (Triangle t : mesh_.triangles(v)) {
       if (!is_subject_[t.index()]) subjects_.push_back(t);
@@ -110,7 +104,7 @@ FoundContacts ContactSearch::again() {
     }
   }
   update_boxes();
-  statistics_.broad_phase_seconds += seconds_between(start, Clock::now());
+  statistics_.broad_phase_seconds += watch.seconds();
   FoundContacts found = search(true);
   motion_.forget_changes();
   return found;
@@ -190,20 +184,19 @@ void ContactSearch::search_block(std::size_t first, std::size_t last, bool chang
   tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, batch), [&](const auto& range) {
     Scratch& scratch = scratches.of_threads.local();
     for (std::size_t from = range.begin(); from < range.end(); from += batch) {
-      const Clock::time_point start = Clock::now();
+      base::Stopwatch watch;
       scratch.pairs.clear();
       for (std::size_t i = from; i < std::min(from + batch, range.end()); ++i) {
         collect(subjects_[i], changed_only, scratch);
       }
-      const Clock::time_point collected = Clock::now();
+      scratch.broad_phase_seconds += watch.restart();
       for (const ElementPair& pair : scratch.pairs) {
         const PairResult result = test_pair(motion_, pair, scale_);
         if (result.proximity && !changed_only) scratch.found.proximities.push_back(*result.proximity);
         if (result.collision) scratch.found.collisions.push_back(*result.collision);
       }
       scratch.pair_count += scratch.pairs.size();
-      scratch.broad_phase_seconds += seconds_between(start, collected);
-      scratch.ccd_seconds += seconds_between(collected, Clock::now());
+      scratch.ccd_seconds += watch.seconds();
     }
   });
 }

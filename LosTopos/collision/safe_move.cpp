@@ -1,10 +1,10 @@
 #include "LosTopos/collision/safe_move.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
+#include "Base/timing/stopwatch.h"
 #include "LosTopos/collision/contact_search.h"
 #include "LosTopos/collision/impact_zones.h"
 #include "LosTopos/collision/impulses.h"
@@ -12,8 +12,6 @@
 
 namespace lostopos {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void require_usable(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
                     const MoveOptions& options) {
@@ -78,9 +76,9 @@ class SafeMove {
   template <class Respond>
   bool rounds(int passes, double& seconds, const Respond& respond) {
     for (int pass = 0; pass < passes && !collisions_.empty() && !too_many_; ++pass) {
-      const Clock::time_point start = Clock::now();
+      const base::Stopwatch watch;
       const bool changed = respond();
-      seconds += std::chrono::duration<double>(Clock::now() - start).count();
+      seconds += watch.seconds();
       if (!changed) break;
       search_again();
     }

@@ -88,7 +88,7 @@ bool RemeshPass::try_flip(Edge e) {
 }
 
 void RemeshPass::split_long_edges() {
-  const base::Stopwatch watch(statistics_[Operation::split].seconds);
+  const base::TimedScope timed(statistics_[Operation::split].seconds);
   tasks_.clear();
   for (Edge e : c_.mesh.edges())
     if (too_long(e)) tasks_.push_back({-squared_length(e), e});
@@ -106,7 +106,7 @@ void RemeshPass::split_long_edges() {
 }
 
 void RemeshPass::split_large_angles() {
-  const base::Stopwatch watch(statistics_[Operation::split].seconds);
+  const base::TimedScope timed(statistics_[Operation::split].seconds);
   const AngleTest test{1, std::cos(c_.limits.split_angle)};
   Tasks<Triangle> list;
   for (Triangle t : c_.mesh.triangles()) {
@@ -122,7 +122,7 @@ void RemeshPass::split_large_angles() {
 }
 
 void RemeshPass::collapse_short_edges() {
-  const base::Stopwatch watch(statistics_[Operation::collapse].seconds);
+  const base::TimedScope timed(statistics_[Operation::collapse].seconds);
   tasks_.clear();
   for (Edge e : c_.mesh.edges())
     if (too_short(e)) tasks_.push_back({squared_length(e), e});
@@ -145,7 +145,7 @@ void RemeshPass::list_flips_near(std::span<const Vertex> vertices, Tasks<Edge>& 
 }
 
 void RemeshPass::flip_edges() {
-  const base::Stopwatch watch(statistics_[Operation::flip].seconds);
+  const base::TimedScope timed(statistics_[Operation::flip].seconds);
   tasks_.clear();
   for (Edge e : c_.mesh.edges())
     if (EdgeFlip::is_wanted(c_.mesh, e)) tasks_.push_back({0, e});
@@ -164,7 +164,7 @@ void RemeshPass::flip_edges() {
 }
 
 void RemeshPass::smooth() {
-  const base::Stopwatch watch(statistics_[Operation::smoothing].seconds);
+  const base::TimedScope timed(statistics_[Operation::smoothing].seconds);
   const AngleTest test{std::cos(c_.options.smooth_below_angle * std::numbers::pi / 180), -1};
   std::vector<Vertex> list;
   for (Triangle t : c_.mesh.triangles())

@@ -1,7 +1,6 @@
 #include "LosTopos/remeshing/remesher.h"
 
-#include <chrono>
-
+#include "Base/timing/stopwatch.h"
 #include "LosTopos/remeshing/remesh_pass.h"
 
 namespace lostopos {
@@ -13,7 +12,7 @@ Remesher::Remesher(SurfaceMesh& mesh, const VertexAttribute<char>& held, const R
 }
 
 RemeshStatistics Remesher::run(BroadPhase* index) {
-  const auto start = std::chrono::steady_clock::now();
+  const base::Stopwatch watch;
   RemeshStatistics statistics;
   RemeshContext context(mesh_, held_, options_, observers_, index);
   RemeshPass pass(context, statistics);
@@ -33,7 +32,7 @@ RemeshStatistics Remesher::run(BroadPhase* index) {
     improve();
   }
   pass.count_what_is_left();
-  statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  statistics.seconds = watch.seconds();
   return statistics;
 }
 

@@ -134,7 +134,7 @@ void TopologyPass::list_result_star(std::vector<Triangle>& list) const {
 
 void TopologyPass::snap_near_places() {
   OperationCounts& counts = statistics_[TopologyOperation::snap];
-  const base::Stopwatch watch(counts.seconds);
+  const base::TimedScope timed(counts.seconds);
   std::vector<NearPair> pairs = near_pairs(c_.mesh, merge_distance_);
   for (int sweep = 0; sweep < options_.max_sweeps && !pairs.empty(); ++sweep) {
     std::vector<Triangle> changed;
@@ -154,7 +154,7 @@ void TopologyPass::snap_near_places() {
 
 void TopologyPass::merge_short_edges() {
   OperationCounts& counts = statistics_[TopologyOperation::edge_merge];
-  const base::Stopwatch watch(counts.seconds);
+  const base::TimedScope timed(counts.seconds);
   const double shortest = edge_merge_share * merge_distance_;
   const PlaceMerge::Rules rules{.joined_vertices = true};
   std::vector<Edge> list;
@@ -225,7 +225,7 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
 }
 
 void TopologyPass::collapse_small_regions() {
-  const base::Stopwatch watch(statistics_[TopologyOperation::region_collapse].seconds);
+  const base::TimedScope timed(statistics_[TopologyOperation::region_collapse].seconds);
   const double largest = options_.smallest_region * c_.options.target_edge;
   for (RegionPart& part : small_region_parts(c_.mesh, largest)) {
     std::erase_if(part.boundary, [&](Triangle t) { return !c_.mesh.alive(t) || !c_.mesh.labels(t).has(part.region); });
@@ -239,7 +239,7 @@ void TopologyPass::collapse_small_regions() {
 
 void TopologyPass::separate_vertices() {
   OperationCounts& counts = statistics_[TopologyOperation::separation];
-  const base::Stopwatch watch(counts.seconds);
+  const base::TimedScope timed(counts.seconds);
   std::vector<Vertex> list;
   for (Vertex v : c_.mesh.vertices())
     if (!is_complete(c_.mesh, v)) list.push_back(v);

@@ -1,6 +1,6 @@
 #include "MultiTracker/run/tracking.h"
 
-#include <chrono>
+#include "Base/timing/stopwatch.h"
 
 namespace multitracker {
 
@@ -18,10 +18,10 @@ Tracking::Tracking(const SceneEntry& scene, const base::OptionSet& options, Surf
 }
 
 void Tracking::step() {
-  const auto begun = std::chrono::steady_clock::now();
+  const base::Stopwatch watch;
   const auto now = [this] { return FlowStep{mesh(), tracker_.held().slots(), metrics_.time, drive_.dt}; };
   const auto predicted = drive_.flow->predicted(now());
-  const double flow_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  const double flow_seconds = watch.seconds();
   last_ = tracker_.step(predicted, [&](lostopos::Vertex v) { return drive_.flow->still_moves(now(), v); });
   const long step = metrics_.step + 1;
   metrics_ = measure(mesh(), last_, start_volumes_);

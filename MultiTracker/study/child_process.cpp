@@ -7,12 +7,12 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <exception>
 
 #include "Base/error.h"
+#include "Base/timing/stopwatch.h"
 
 namespace multitracker {
 namespace {
@@ -45,7 +45,7 @@ void write_all(int file, const std::string& text) {
 
 // Reads until the child closes its end; false when the time is up or somebody interrupts.
 bool read_all(int file, double time_limit, const std::function<bool()>& interrupted, std::string& text) {
-  const auto begun = std::chrono::steady_clock::now();
+  const base::Stopwatch watch;
   std::array<char, 4096> buffer;
   while (true) {
     pollfd wanted{file, POLLIN, 0};
@@ -55,7 +55,7 @@ bool read_all(int file, double time_limit, const std::function<bool()>& interrup
       if (count == 0) return true;
       if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
     }
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() > time_limit) return false;
+    if (watch.seconds() > time_limit) return false;
     if (interrupted && interrupted()) return false;
   }
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 
+#include "Base/timing/stopwatch.h"
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/scenes/scene.h"
@@ -56,10 +56,6 @@ Scene scene_of(const Combination& c, const AccuracyOptions& o) {
   return scene;
 }
 
-double wall_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 double cpu_now() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -93,7 +89,8 @@ class AccuracyRun {
 
   // False when interrupted. `progress` takes the fraction of the time that may pass.
   bool go(const std::function<void(double)>& progress, const std::function<bool()>& interrupted) {
-    const double cpu = cpu_now(), wall = wall_now();
+    const double cpu = cpu_now();
+    const base::Stopwatch watch;
     const long end = std::lround(options_.most_time / row_.dt);
     try {
       while (row_.ended == "not at rest" && simulation_.steps() < end) {
@@ -106,7 +103,7 @@ class AccuracyRun {
       row_.reason = error.what();
     }
     row_.cpu_seconds = cpu_now() - cpu;
-    row_.wall_seconds = wall_now() - wall;
+    row_.wall_seconds = watch.seconds();
     return true;
   }
 
@@ -128,7 +125,7 @@ class AccuracyRun {
   void step() {
     const StepReport report = simulation_.step();
     add_stages(report.times, row_.stages);
-    const base::StageTimer timer(row_.stages, "rest");
+    const base::TimedScope timed(row_.stages, "rest");
     // What rest is told by; the whole of the metrics would cost more than some stages do.
     Metrics now;
     now.time = simulation_.time();

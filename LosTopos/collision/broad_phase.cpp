@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "LosTopos/collision/box_overlap.h"
+
 namespace lostopos {
 namespace {
 
@@ -25,12 +27,6 @@ std::int64_t cell_coordinate(double x, double inverse_cell) {
   const double cell = std::floor(x * inverse_cell);
   if (!(cell > -largest_cell_coordinate)) return -static_cast<std::int64_t>(largest_cell_coordinate);
   return static_cast<std::int64_t>(std::min(cell, largest_cell_coordinate));
-}
-
-// Box::overlaps without branches, for it is hard to predict.
-bool overlap(const Box& a, const Box& b) {
-  return (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]) & (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]) &
-         (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
 }
 
 float rounded_down(double x) {
@@ -90,10 +86,6 @@ struct BroadPhase::Grid {
     void clear() {
       low.fill(std::numeric_limits<float>::infinity());
       high.fill(-std::numeric_limits<float>::infinity());
-    }
-    bool overlaps(const Entry& other) const {
-      return (low[0] <= other.high[0]) & (other.low[0] <= high[0]) & (low[1] <= other.high[1]) &
-             (other.low[1] <= high[1]) & (low[2] <= other.high[2]) & (other.low[2] <= high[2]);
     }
   };
   struct Level {
@@ -234,7 +226,7 @@ struct BroadPhase::Grid {
   void append_bucket(std::size_t bucket, const Box& box, const Entry& single, std::vector<Triangle>& found) const {
     for (std::uint32_t i = first_entries[bucket]; i < first_entries[bucket + 1]; ++i) {
       const Entry& entry = entries[i];
-      if (entry.overlaps(single) && overlap(slots[entry.slot].box, box)) found.push_back(Triangle(entry.slot));
+      if (overlap(entry, single) && overlap(slots[entry.slot].box, box)) found.push_back(Triangle(entry.slot));
     }
     for (std::uint32_t i = buckets[bucket]; i != none; i = slots[i].next) {
       if (overlap(slots[i].box, box)) found.push_back(Triangle(i));

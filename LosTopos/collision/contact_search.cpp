@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "Base/lists/erase_repeated.h"
 #include "Base/timing/stopwatch.h"
+#include "LosTopos/collision/box_overlap.h"
+
 namespace lostopos {
 namespace {
 
@@ -20,12 +23,6 @@ constexpr std::size_t many_pairs = 50;
 // Distances are good to some 20 units in the last place of the pair's extent, which is two boxes at most.
 constexpr double distance_error = 1e-12;
 constexpr double least_gap_over_proximity = 1e-3;
-
-// Box::overlaps without branches.
-bool overlap(const Box& a, const Box& b) {
-  return (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]) & (a.low[1] <= b.high[1]) & (b.low[1] <= a.high[1]) &
-         (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
-}
 
 Box swept_box(const Motion& motion, Vertex v, double margin) {
   const Vec3& start = motion.starts()[v.index()];
@@ -44,8 +41,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 void sort_by_pair(std::vector<Contact>& contacts) {
   std::ranges::sort(contacts, {}, &Contact::pair);
-  const auto repeated = std::ranges::unique(contacts, {}, &Contact::pair);
-  contacts.erase(repeated.begin(), repeated.end());
+  base::erase_repeated(contacts, &Contact::pair);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/collision/rigid_motion.h"
 #include "LosTopos/collision/zone_solver.h"
 
@@ -70,8 +71,7 @@ std::vector<ImpactZones::ZoneIndex> ImpactZones::take_in(std::span<const Contact
     }
   }
   std::ranges::sort(touched);
-  const auto repeated = std::ranges::unique(touched);
-  touched.erase(repeated.begin(), repeated.end());
+  base::erase_repeated(touched);
   return touched;
 }
 

@@ -123,10 +123,10 @@ struct LabelledSurface {
 };
 
 void add_fan(LabelledSurface& to, const FilmPolygon& film, const std::vector<std::uint32_t>& points) {
-  auto& [surface, labels] = to;
+  IndexedSurface& surface = to.surface;
   auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     surface.triangles.push_back({a, b, c});
-    labels.push_back(film.labels);
+    to.labels.push_back(film.labels);
   };
   if (points.size() == 3) return add(points[0], points[1], points[2]);
   std::vector<Vec3> corners;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/collision/contact_search.h"
 #include "LosTopos/geometry/distance.h"
 
@@ -17,8 +18,7 @@ void sort_nearest_first(std::vector<NearPair>& pairs) {
   std::ranges::sort(pairs, [](const NearPair& a, const NearPair& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.pair < b.pair;
   });
-  const auto repeated = std::ranges::unique(pairs, {}, &NearPair::pair);
-  pairs.erase(repeated.begin(), repeated.end());
+  base::erase_repeated(pairs, &NearPair::pair);
 }
 
 Box edge_box(const SurfaceMesh& mesh, Edge e) {

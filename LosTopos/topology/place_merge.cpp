@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/invariants/shape.h"
 #include "LosTopos/topology/coincident_triangles.h"
@@ -23,8 +24,7 @@ void collect_vertices(const SurfaceMesh& mesh, const SurfaceMesh::TriangleList& 
   vertices.clear();
   for (Triangle t : triangles) vertices.insert(vertices.end(), mesh.vertices(t).begin(), mesh.vertices(t).end());
   std::ranges::sort(vertices);
-  const auto repeated = std::ranges::unique(vertices);
-  vertices.erase(repeated.begin(), repeated.end());
+  base::erase_repeated(vertices);
 }
 
 bool have_common(const std::vector<Vertex>& a, const std::vector<Vertex>& b) {

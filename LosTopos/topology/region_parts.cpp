@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/collision/broad_phase.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -73,8 +74,7 @@ std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double large
       for (Triangle u : boundary)
         part.neighbours.push_back(mesh.labels(u).p == r ? mesh.labels(u).q : mesh.labels(u).p);
       std::ranges::sort(part.neighbours);
-      const auto repeated = std::ranges::unique(part.neighbours);
-      part.neighbours.erase(repeated.begin(), repeated.end());
+      base::erase_repeated(part.neighbours);
       parts.push_back(std::move(part));
     }
   }

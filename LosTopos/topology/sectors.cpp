@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "Base/lists/erase_repeated.h"
+
 namespace lostopos {
 namespace {
 
@@ -14,7 +16,8 @@ using RegionPairs = boost::container::small_vector<std::pair<Region, Region>, 8>
 template <class List>
 std::size_t count_distinct(List& list) {
   std::ranges::sort(list);
-  return static_cast<std::size_t>(std::ranges::unique(list).begin() - list.begin());
+  base::erase_repeated(list);
+  return list.size();
 }
 
 // Disjoint sets over small indices.

@@ -14,8 +14,8 @@ packages=(
   python3-matplotlib
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours
   evolver-nox
-  # style
-  clang-format clang-tidy
+  # style, the second compiler, reference pages
+  clang-format clang-tidy clang doxygen
 )
 
 missing=()

@@ -45,7 +45,11 @@ struct Labels {
 
 }  // namespace lostopos
 
+namespace std {
+
 template <class Tag>
-struct std::hash<lostopos::Handle<Tag>> {
-  std::size_t operator()(lostopos::Handle<Tag> h) const noexcept { return h.index(); }
+struct hash<lostopos::Handle<Tag>> {
+  size_t operator()(lostopos::Handle<Tag> h) const noexcept { return h.index(); }
 };
+
+}  // namespace std

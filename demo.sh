@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 out=out/demo
 ./install-deps.sh
 cmake --preset release >/dev/null
-cmake --build --preset release --target foamsim_program -j "$(nproc)"
+cmake --build --preset release --target foamsim_program foamsim_manual multitracker_program multitracker_manual -j "$(nproc)"
 
 if [ "${1:-}" = "--again" ] || [ ! -f "$out/compare.png" ]; then
   build/bin/foamsim compare assets/scenes/demo.toml --out "$out" --force

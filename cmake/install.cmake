@@ -1,14 +1,15 @@
-# Installs programs, libraries, headers, plot scripts and scenes, and exports targets for find_package(FoamSim).
+# Installs programs, libraries, headers, plot scripts and scenes (manuals and completion: foamsim_add_manual), and exports targets for find_package(FoamSim).
 include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FoamSim)
 
-install(TARGETS base lostopos multitracker foamsim foamsim_studies foamsim_render EXPORT FoamSimTargets
+install(TARGETS base console lostopos multitracker foamsim foamsim_studies foamsim_render foamsim_app EXPORT FoamSimTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS foamsim_program multitracker_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(folder Base LosTopos MultiTracker FoamSim)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN app EXCLUDE)
 endforeach()
+install(FILES FoamSim/app/run_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/FoamSim/app)
 install(FILES ${PROJECT_BINARY_DIR}/generated/FoamSim/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/FoamSim)
 install(DIRECTORY plots assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/foamsim PATTERN __pycache__ EXCLUDE)
 

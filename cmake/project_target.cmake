@@ -75,11 +75,30 @@ function(foamsim_add_program target name)
   add_executable(${target})
   foamsim_sources(${target} ${P_SOURCES_IN})
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
-  foamsim_configure_target(${target} PRECOMPILED program_headers)
-  target_link_libraries(${target} PRIVATE CLI11::CLI11 ${P_LIBS})
+  foamsim_configure_target(${target} PRECOMPILED library_headers)
+  target_link_libraries(${target} PRIVATE ${P_LIBS})
 endfunction()
 
-set(common_headers
+# foamsim_add_manual(target name): the program's manual page and completion scripts, printed by itself, and where they are
+# installed.
+function(foamsim_add_manual target name)
+  set(folder ${PROJECT_BINARY_DIR}/share)
+  set(files ${folder}/${name}.1 ${folder}/bash/${name} ${folder}/zsh/_${name})
+  file(MAKE_DIRECTORY ${folder}/bash ${folder}/zsh)
+  add_custom_command(OUTPUT ${files}
+                     COMMAND ${target} generate man > ${folder}/${name}.1
+                     COMMAND ${target} generate bash > ${folder}/bash/${name}
+                     COMMAND ${target} generate zsh > ${folder}/zsh/_${name}
+                     DEPENDS ${target} COMMENT "Manual page and completion scripts of ${name}" VERBATIM)
+  add_custom_target(${name}_manual ALL DEPENDS ${files})
+  install(FILES ${folder}/${name}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${folder}/bash/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${folder}/zsh/_${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+endfunction()
+
+foamsim_precompile_headers(
+  library_headers
+  HEADERS
     <algorithm>
     <array>
     <cmath>
@@ -98,7 +117,5 @@ set(common_headers
     <Eigen/Geometry>
     <boost/container/small_vector.hpp>
     <tbb/parallel_for.h>
-    <tbb/blocked_range.h>)
-foamsim_precompile_headers(library_headers HEADERS ${common_headers} LIBS Eigen3::Eigen Boost::headers TBB::tbb)
-foamsim_precompile_headers(program_headers HEADERS ${common_headers} <CLI/CLI.hpp>
-                           LIBS Eigen3::Eigen Boost::headers TBB::tbb CLI11::CLI11)
+    <tbb/blocked_range.h>
+  LIBS Eigen3::Eigen Boost::headers TBB::tbb)

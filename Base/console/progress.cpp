@@ -2,14 +2,39 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+
+#include "Base/console/terminal.h"
 
 namespace base {
 namespace {
 
 constexpr double bar_interval = 0.1, line_interval = 5;  // seconds
 
+std::string left_text(double seconds) {
+  char text[32] = "";
+  if (seconds >= 0) std::snprintf(text, sizeof(text), ", %.0f s left", seconds);
+  return text;
+}
+
 }  // namespace
+
+std::string progress_line(const std::string& label, const std::string& detail, double fraction, double seconds_left,
+                          int width) {
+  constexpr int widest = 30, narrowest = 5, brackets = 4;  // " [" and "] "
+  const std::string left = left_text(seconds_left);
+  const int room = width - static_cast<int>(label.size() + detail.size() + left.size()) - brackets;
+  if (room < narrowest) {
+    std::string text = label + " " + detail + left;
+    if (width >= 0 && static_cast<int>(text.size()) > width) text = label + left;
+    return text.substr(0, static_cast<std::size_t>(std::max(width, 0)));
+  }
+  const int columns = std::min(room, widest);
+  const int done = std::clamp(static_cast<int>(fraction * columns), 0, columns);
+  return label + " [" + std::string(static_cast<std::size_t>(done), '#') +
+         std::string(static_cast<std::size_t>(columns - done), '.') + "] " + detail + left;
+}
 
 Progress::Progress(std::string label, bool quiet)
     : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -35,17 +60,15 @@ void Progress::show(const std::string& detail, double fraction) {
   since_shown_.restart();
   drawn_ = true;
   const double elapsed = since_start_.seconds();
-  const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+  const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : -1;
   if (terminal_) {
-    constexpr int width = 30;
-    const int done = static_cast<int>(fraction * width);
-    std::fprintf(stderr, "\r\033[K%s [%.*s%.*s] %s, %.0f s left", label_.c_str(), done,
-                 "##############################", width - done, "..............................", detail.c_str(),
-                 left);
+    // One column less: a full line makes some terminals go on to the next.
+    const std::string line = progress_line(label_, detail, fraction, left, terminal_width(STDERR_FILENO) - 1);
+    std::fprintf(stderr, "\r\033[K%s", line.c_str());
     std::fflush(stderr);
   } else {
-    std::fprintf(stderr, "%s: %s, %.0f%% done, about %.0f s left\n", label_.c_str(), detail.c_str(), 100 * fraction,
-                 left);
+    std::fprintf(stderr, "%s: %s, %.0f%% done%s\n", label_.c_str(), detail.c_str(), 100 * fraction,
+                 left_text(left).c_str());
   }
 }
 

@@ -6,6 +6,11 @@
 
 namespace base {
 
+/// How far something is, in one line of at most `width` columns: "LABEL [####......] DETAIL, 12 s left". What has no
+/// place is left out: first the bar is shortened, then it goes, then the detail is cut. `seconds_left` < 0: not known.
+std::string progress_line(const std::string& label, const std::string& detail, double fraction, double seconds_left,
+                          int width);
+
 /// Shows how far a run is: a bar on a terminal, a line every few seconds elsewhere, nothing when quiet.
 class Progress {
  public:

@@ -25,25 +25,45 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-}  // namespace
-
-std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {
-  // Beyond half of the letters wrong a suggestion would be a guess.
-  std::size_t best = std::max<std::size_t>(2, name.size() / 2) + 1;
-  std::string_view nearest;
-  for (std::string_view candidate : known)
-    if (const std::size_t distance = edit_distance(name, candidate); distance < best) {
-      best = distance;
-      nearest = candidate;
-    }
-  return std::string(nearest);
+// For "group.name" also the distance to "name" alone.
+std::size_t name_distance(std::string_view name, std::string_view candidate) {
+  const std::size_t whole = edit_distance(name, candidate), dot = candidate.rfind('.');
+  return dot == std::string_view::npos ? whole : std::min(whole, edit_distance(name, candidate.substr(dot + 1)) + 1);
 }
 
-std::string unknown_name_message(std::string_view kind, std::string_view name,
-                                 std::span<const std::string_view> known) {
+}  // namespace
+
+std::vector<std::string> nearest_names(std::string_view name, std::span<const std::string_view> known,
+                                       std::size_t most) {
+  // Beyond half of the letters wrong a suggestion would be a guess; beside the best one, those hardly worse.
+  const std::size_t limit = std::max<std::size_t>(2, name.size() / 2);
+  std::vector<std::pair<std::size_t, std::string_view>> near;
+  for (std::string_view candidate : known)
+    if (const std::size_t distance = name_distance(name, candidate); distance <= limit)
+      near.emplace_back(distance, candidate);
+  std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
+  std::vector<std::string> names;
+  for (const auto& [distance, candidate] : near)
+    if (names.size() < most && distance <= near.front().first + 1) names.emplace_back(candidate);
+  return names;
+}
+
+std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {
+  const std::vector<std::string> nearest = nearest_names(name, known, 1);
+  return nearest.empty() ? std::string() : nearest.front();
+}
+
+std::string unknown_name_message(std::string_view kind, std::string_view name, std::span<const std::string_view> known,
+                                 std::string_view listed_by) {
+  constexpr std::size_t most_suggestions = 3, longest_list = 12;
   std::string message = "unknown " + std::string(kind) + " '" + std::string(name) + "'";
-  if (const std::string nearest = nearest_name(name, known); !nearest.empty())
-    message += "; did you mean '" + nearest + "'?";
+  const std::vector<std::string> nearest = nearest_names(name, known, most_suggestions);
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const std::string_view before = i == 0 ? "; did you mean " : i + 1 < nearest.size() ? ", " : " or ";
+    message += std::string(before) + "'" + nearest[i] + "'" + (i + 1 == nearest.size() ? "?" : "");
+  }
+  if (!listed_by.empty()) return message + " (see '" + std::string(listed_by) + "')";
+  if (known.size() > longest_list) return message;
   message += " (known:";
   for (std::size_t i = 0; i < known.size(); ++i) message += (i == 0 ? " " : ", ") + std::string(known[i]);
   return message + ")";

@@ -23,7 +23,8 @@ void require_allowed(const OptionSpec& spec, const OptionValue& value, std::stri
 
 }  // namespace
 
-OptionSet::OptionSet(std::vector<OptionSpec> specs) : specs_(std::move(specs)) {
+OptionSet::OptionSet(std::vector<OptionSpec> specs, std::string listed_by)
+    : specs_(std::move(specs)), listed_by_(std::move(listed_by)) {
   for (const OptionSpec& spec : specs_) entries_.push_back({spec.default_value});
 }
 
@@ -32,7 +33,7 @@ std::size_t OptionSet::place_of(std::string_view key, std::string_view where) co
   if (it != specs_.end()) return static_cast<std::size_t>(it - specs_.begin());
   std::vector<std::string_view> known;
   for (const OptionSpec& spec : specs_) known.push_back(spec.key);
-  throw InputError(prefix(where) + unknown_name_message("option", key, known));
+  throw InputError(prefix(where) + unknown_name_message("option", key, known, listed_by_));
 }
 
 void OptionSet::set_text(std::string_view key, std::string_view text, std::string_view where) {

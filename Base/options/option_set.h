@@ -15,7 +15,8 @@ namespace base {
 /// right.
 class OptionSet {
  public:
-  explicit OptionSet(std::vector<OptionSpec> specs);
+  /// `listed_by`: a command that prints the options, for the message about a key that is not known.
+  explicit OptionSet(std::vector<OptionSpec> specs, std::string listed_by = {});
 
   /// Sets an option from text as on the command line. "key+=word" text is handled by `append`.
   void set_text(std::string_view key, std::string_view text, std::string_view where);
@@ -47,6 +48,7 @@ class OptionSet {
 
   std::vector<OptionSpec> specs_;
   std::vector<Entry> entries_;
+  std::string listed_by_;
 };
 
 }  // namespace base

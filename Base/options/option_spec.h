@@ -16,6 +16,7 @@ struct OptionSpec {
   std::string allowed;  ///< what would be right, for the message when `accepts` says no
   std::function<bool(const OptionValue&)> accepts = {};  ///< empty: everything of the kind (numbers must be finite)
   std::string effect = {};  ///< the part of the program that reads it, when it is not the scene itself
+  std::vector<std::string> words = {};  ///< not empty: the words that are allowed
 };
 
 /// A finite number > 0 / ≥ 0, and a whole number ≥ least, as specs.

@@ -1,10 +1,9 @@
-#include <spdlog/spdlog.h>
-
 #include <cstdio>
 #include <memory>
 
 #include "Base/error.h"
 #include "FoamSim/app/commands.h"
+#include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/scene_arguments.h"
 #include "FoamSim/app/session.h"
@@ -38,17 +37,17 @@ void print_table(const std::vector<ComparisonRow>& rows) {
                 row.seconds, row.ended.c_str(), row.time);
 }
 
-int compare(const Arguments& arguments, const std::string& command) {
+int compare(const Arguments& arguments, const Program& program) {
   const SceneArguments& given = arguments.scene;
   if (!arguments.show.empty()) {
     print_table(read_comparison(std::filesystem::path(arguments.show) / "compare.csv"));
     return exit_done;
   }
   if (given.scene.empty()) throw base::InputError("compare needs a scene (see 'foamsim scenes')");
-  const Scene scene = given.load();
-  RunSettings settings{given.out, given.force, {}, given.stop(), command};
+  const Scene scene = given.load(program);
+  RunSettings settings{given.out, given.force, {}, given.stop(), program.command_line};
   if (settings.out.empty()) settings.out = std::filesystem::path("out") / ("compare-" + scene.name);
-  const ThreadLimit limit(given.threads);
+  const ThreadLimit limit = thread_limit(given.threads);
   const InterruptGuard guard;
   std::unique_ptr<Progress> progress;
   const auto runs = compare_areas(scene, arguments.areas, settings, [&](const std::string& area) {
@@ -57,29 +56,31 @@ int compare(const Arguments& arguments, const std::string& command) {
   });
   progress.reset();
   if (!given.quiet) print_table(read_comparison(settings.out / "compare.csv"));
-  if (runs.back().outcome.end == RunEnd::interrupted) return exit_interrupted;
+  if (runs.back().outcome.end == RunEnd::interrupted) return InterruptGuard::exit_code();
   if (!arguments.no_pictures) {
     std::vector<std::filesystem::path> rows;
     for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
     draw_frames(rows, 3, settings.out / "compare.png");
-    if (!run_plot_script("plot_compare.py", settings.out))
-      spdlog::warn("no plot: it needs python3 with matplotlib and plots/plot_compare.py");
+    plot(program, "plot_compare.py", settings.out);
   }
   if (!given.quiet) std::printf("\noutput in %s\n", settings.out.c_str());
   const bool failed = std::ranges::any_of(runs, [](const auto& run) { return run.outcome.end == RunEnd::failed; });
-  return failed ? exit_simulation_failed : exit_done;
+  return failed ? exit_cannot_go_on : exit_done;
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("compare", "run a scene with each area strategy: table, plot, pictures");
+void add_compare_command(base::Command& root, const Program& program) {
+  base::Command& command = root.add_command("compare", "run a scene with each area strategy: table, plot, pictures");
   auto arguments = std::make_shared<Arguments>();
-  arguments->scene.add_to(*command, false);
-  command->add_option("--areas", arguments->areas, "strategies to compare, separated by commas")->delimiter(',');
-  command->add_flag("--no-pictures", arguments->no_pictures, "table only");
-  command->add_option("--show", arguments->show, "print the table of an earlier comparison, in this folder, again");
-  command->callback([arguments, &program] { program.exit_code = compare(*arguments, program.command_line); });
+  arguments->scene.add_to(command, false);
+  add_areas(command, arguments->areas);
+  command.add({.name = "--no-pictures", .target = &arguments->no_pictures, .help = "table only"});
+  command.add({.name = "--show",
+               .target = &arguments->show,
+               .help = "print the table of an earlier comparison, in this folder, again",
+               .offers = base::Argument::Offers::folders});
+  command.set_action([arguments, &program] { return compare(*arguments, program); });
 }
 
 }  // namespace foamsim::app

@@ -66,19 +66,24 @@ void print(const ordered_json& report) {
 
 }  // namespace
 
-void add_inspect_command(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("inspect", "counts, areas, volumes, angles and an audit of a mesh file");
+void add_inspect_command(base::Command& root, const Program&) {
+  base::Command& command = root.add_command(
+      "inspect", "counts, areas, volumes, angles and an audit of a mesh file; exit code 2 when it is not clean");
   auto file = std::make_shared<std::string>();
   auto as_json = std::make_shared<bool>(false);
-  command->add_option("file", *file, "mesh file (" + lostopos::mesh_extensions() + ")")->required();
-  command->add_flag("--json", *as_json, "as JSON");
-  command->callback([file, as_json, &program] {
+  command.add({.name = "file",
+               .target = file.get(),
+               .help = "mesh file (" + lostopos::mesh_extensions() + ")",
+               .required = true,
+               .offers = base::Argument::Offers::files});
+  command.add({.name = "--json", .target = as_json.get(), .help = "as JSON"});
+  command.set_action([file, as_json] {
     const ordered_json report = inspect(*file);
     if (*as_json)
       std::printf("%s\n", report.dump(2).c_str());
     else
       print(report);
-    program.exit_code = exit_done;
+    return report.at("findings").empty() ? exit_done : exit_bad_input;
   });
 }
 

@@ -41,14 +41,14 @@ void print_effects() {
 
 }  // namespace
 
-void add_list_commands(CLI::App& app, Program& program) {
-  app.add_subcommand("scenes", "list the built-in scenes and their options")->callback([&program] {
+void add_list_commands(base::Command& root, const Program&) {
+  root.add_command("scenes", "list the built-in scenes and their options").set_action([] {
     print_scenes();
-    program.exit_code = exit_done;
+    return exit_done;
   });
-  app.add_subcommand("effects", "list the effects, their options, and the area strategies")->callback([&program] {
+  root.add_command("effects", "list the effects, their options, and the area strategies").set_action([] {
     print_effects();
-    program.exit_code = exit_done;
+    return exit_done;
   });
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 
+#include "Base/console/terminal.h"
 #include "Base/error.h"
 #include "FoamSim/render/compose.h"
 #include "FoamSim/render/png.h"
@@ -83,6 +84,11 @@ bool run_plot_script(const std::string& script, const fs::path& folder) {
   for (const char* python : {"/usr/bin/python3", "python3"})
     if (succeeds({python, "-c", "import matplotlib"})) return succeeds({python, "-B", file.string(), folder.string()});
   return false;
+}
+
+void plot(const Program& program, const std::string& script, const fs::path& folder) {
+  if (!run_plot_script(script, folder))
+    base::print_warning(program.name, "no plot: it needs python3 with matplotlib and plots/" + script);
 }
 
 }  // namespace foamsim::app

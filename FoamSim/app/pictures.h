@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "FoamSim/app/commands.h"
 #include "FoamSim/render/camera.h"
 #include "FoamSim/render/render.h"
 
@@ -23,5 +24,8 @@ void draw_frames(const std::vector<std::filesystem::path>& folders, std::size_t 
 /// Runs one of the project's plot scripts on the CSV files of `folder`. False when no Python with matplotlib or no
 /// script is found; `script` is its file name.
 bool run_plot_script(const std::string& script, const std::filesystem::path& folder);
+
+/// The same, with a warning on stderr when there is no plot.
+void plot(const Program& program, const std::string& script, const std::filesystem::path& folder);
 
 }  // namespace foamsim::app

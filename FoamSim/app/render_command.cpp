@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -5,6 +7,7 @@
 
 #include "Base/error.h"
 #include "FoamSim/app/commands.h"
+#include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/render/png.h"
@@ -23,18 +26,38 @@ struct Arguments {
   int threads = 0;
 };
 
-void apply(const Arguments& arguments, render::RenderOptions& options) {
+void require(bool right, const std::string& what_is_right) {
+  if (!right) throw base::InputError(what_is_right);
+}
+
+void read_size(const std::string& size, render::RenderOptions& options) {
+  constexpr int largest = 32768;
   int used = 0;
-  if (std::sscanf(arguments.size.c_str(), "%dx%d%n", &options.width, &options.height, &used) != 2 ||
-      static_cast<std::size_t>(used) != arguments.size.size())
-    throw base::InputError("--size " + arguments.size + " is not of the form WIDTHxHEIGHT, like 800x600");
+  const bool form = std::sscanf(size.c_str(), "%dx%d%n", &options.width, &options.height, &used) == 2 &&
+                    static_cast<std::size_t>(used) == size.size();
+  require(form, "--size " + size + " is not of the form WIDTHxHEIGHT, like 800x600");
+  require(std::min(options.width, options.height) >= 1 && std::max(options.width, options.height) <= largest,
+          "--size " + size + ": width and height have to be 1 to " + std::to_string(largest) + " pixels");
+}
+
+render::RenderOptions render_options(const Arguments& arguments) {
+  render::RenderOptions options = arguments.options;
+  read_size(arguments.size, options);
   const std::map<std::string, render::Background> backgrounds{{"dark", render::Background::dark},
                                                               {"white", render::Background::white},
                                                               {"transparent", render::Background::transparent}};
-  const auto it = backgrounds.find(arguments.background);
-  if (it == backgrounds.end())
-    throw base::InputError("--background " + arguments.background + " is not one of dark, white, transparent");
-  options.background = it->second;
+  options.background = backgrounds.at(arguments.background);
+  require(options.samples >= 1 && options.samples <= 4096, "--samples has to be a whole number from 1 to 4096");
+  require(options.tube_radius >= 0 && std::isfinite(options.tube_radius), "--tube-radius has to be a number >= 0");
+  require(options.film_thickness > 0 && options.film_thickness <= 1500, "--thickness has to be in (0, 1500] nm");
+  require(options.iridescence >= 0 && options.iridescence <= 1, "--iridescence has to be from 0 to 1");
+  return options;
+}
+
+Eigen::Vector3d view_of(const Arguments& arguments) {
+  const Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
+  require(view.allFinite() && view.norm() > 0, "--view has to be a direction, like 0 0 1");
+  return view;
 }
 
 std::vector<fs::path> picture_files(const Arguments& arguments) {
@@ -50,16 +73,15 @@ std::vector<fs::path> picture_files(const Arguments& arguments) {
 }
 
 void draw(const Arguments& arguments) {
-  render::RenderOptions options = arguments.options;
-  apply(arguments, options);
+  const render::RenderOptions options = render_options(arguments);
+  const Eigen::Vector3d view = view_of(arguments);
   const std::vector<fs::path> files = picture_files(arguments);
   std::vector<render::Surface> surfaces;
   for (const std::string& frame : arguments.frames) surfaces.push_back(read_frame(frame));
-  const ThreadLimit limit(arguments.threads);
+  const ThreadLimit limit = thread_limit(arguments.threads);
   std::error_code error;
   fs::create_directories(arguments.out, error);
   if (error) throw base::FileError("cannot make the folder " + arguments.out + ": " + error.message());
-  const Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
   const std::vector<render::Image> images = draw_together(surfaces, options, view);
   for (std::size_t i = 0; i < images.size(); ++i) {
     render::write_png(images[i], files[i]);
@@ -69,25 +91,45 @@ void draw(const Arguments& arguments) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("render", "draw frames as pictures, all with the same camera");
+void add_render_command(base::Command& root, const Program&) {
+  using base::Argument;
+  base::Command& command = root.add_command("render", "draw frames as pictures, all with the same camera");
   auto a = std::make_shared<Arguments>();
-  command->add_option("frames", a->frames, "mesh files")->required();
-  command->add_option("--out", a->out, "folder for the pictures")->required();
-  command->add_option("--size", a->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  command->add_option("--background", a->background, "dark, white or transparent")->capture_default_str();
-  command->add_option("--view", a->view, "direction from the films to the eye: X Y Z")->expected(3);
-  command->add_option("--samples", a->options.samples, "rays a pixel")->capture_default_str();
-  command->add_flag("--wireframe", a->options.wireframe, "also draw the triangles' edges");
-  command->add_option("--tube-radius", a->options.tube_radius, "Plateau borders' radius over half the picture's height")
-      ->capture_default_str();
-  command->add_option("--thickness", a->options.film_thickness, "film thickness, nm")->capture_default_str();
-  command->add_option("--iridescence", a->options.iridescence, "strength of the interference colours, 0 to 1")
-      ->capture_default_str();
-  command->add_option("--threads", a->threads, "number of threads (default: all cores)");
-  command->callback([a, &program] {
+  command.add({.name = "frames",
+               .target = &a->frames,
+               .help = "mesh files",
+               .required = true,
+               .list = Argument::List::words,
+               .offers = Argument::Offers::files});
+  command.add({.name = "--out",
+               .target = &a->out,
+               .help = "folder for the pictures",
+               .required = true,
+               .offers = Argument::Offers::folders});
+  command.add({.name = "--size", .target = &a->size, .help = "WIDTHxHEIGHT in pixels"});
+  command.add({.name = "--background",
+               .target = &a->background,
+               .help = "dark, white or transparent",
+               .names = {"dark", "white", "transparent"},
+               .names_only = true});
+  command.add({.name = "--view",
+               .target = &a->view,
+               .help = "direction from the films to the eye: X Y Z",
+               .list = Argument::List::words,
+               .count = 3});
+  command.add({.name = "--samples", .target = &a->options.samples, .help = "rays a pixel"});
+  command.add({.name = "--wireframe", .target = &a->options.wireframe, .help = "also draw the triangles' edges"});
+  command.add({.name = "--tube-radius",
+               .target = &a->options.tube_radius,
+               .help = "Plateau borders' radius over half the picture's height"});
+  command.add({.name = "--thickness", .target = &a->options.film_thickness, .help = "film thickness, nm"});
+  command.add({.name = "--iridescence",
+               .target = &a->options.iridescence,
+               .help = "strength of the interference colours, 0 to 1"});
+  add_threads(command, a->threads);
+  command.set_action([a] {
     draw(*a);
-    program.exit_code = exit_done;
+    return exit_done;
   });
 }
 

@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "Base/error.h"
 #include "FoamSim/app/commands.h"
+#include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/studies/reproduce/angle_measures.h"
@@ -43,11 +43,6 @@ void print_row(const Table1Row& r) {
   std::fflush(stdout);
 }
 
-void plot(const std::string& script, const fs::path& folder) {
-  if (!run_plot_script(script, folder))
-    std::fprintf(stderr, "foamsim: no plot: it needs python3 with matplotlib and plots/%s\n", script.c_str());
-}
-
 // Each of these makes one part; false when interrupted.
 
 bool measures(const Arguments& arguments) {
@@ -62,12 +57,12 @@ bool measures(const Arguments& arguments) {
   return true;
 }
 
-bool table1(const Arguments& arguments, const std::string& command) {
+bool table1(const Arguments& arguments, const Program& program) {
   Table1Settings settings;
   if (arguments.quick) settings.subdivisions.pop_back();
   settings.out = arguments.out;
   settings.force = arguments.force;
-  settings.command = command;
+  settings.command = program.command_line;
   std::unique_ptr<Progress> progress;
   Table1Hooks hooks;
   // One clock for the whole table: the time left is that of all rows.
@@ -93,14 +88,14 @@ bool table1(const Arguments& arguments, const std::string& command) {
       for (const Table1Row& row : rows)
         if (row.area == area) print_row(row);
   }
-  if (rows.size() > 1) plot("plot_table1.py", arguments.out);
+  if (rows.size() > 1) plot(program, "plot_table1.py", arguments.out);
   return rows.size() == settings.subdivisions.size() * settings.areas.size();
 }
 
-bool figure1(const Arguments& arguments, const std::string& command) {
+bool figure1(const Arguments& arguments, const Program& program) {
   RunSettings settings;
   settings.out = fs::path(arguments.out) / "figure1";
-  settings.command = command;
+  settings.command = program.command_line;
   settings.force = true;
   const fs::path sheet = settings.out / "figure1_frames.png";  // made last: where it is, all is
   if (arguments.force || !fs::exists(sheet)) {
@@ -126,11 +121,11 @@ bool figure1(const Arguments& arguments, const std::string& command) {
   if (!arguments.quiet)
     std::printf("figure 1: naive drifts %.1f times as far as constant-edge, %.1f times as far as averaged\n",
                 drift_ratio(rows, "constant-edge"), drift_ratio(rows, "averaged"));
-  plot("plot_figure1.py", settings.out);
+  plot(program, "plot_figure1.py", settings.out);
   return true;
 }
 
-bool figure3(const Arguments& arguments) {
+bool figure3(const Arguments& arguments, const Program& program) {
   const auto rows = stretch_junction();
   fs::create_directories(arguments.out);
   write_stretched_junction(fs::path(arguments.out) / "figure3.csv", rows);
@@ -138,41 +133,43 @@ bool figure3(const Arguments& arguments) {
     for (const StretchedJunctionRow& row : rows)
       std::printf("figure 3: %-14s stretch %-4g curvature of regions 0, 1, 2: %.5f %.5f %.5f  imbalance %.5f\n",
                   row.area.c_str(), row.stretch, row.curvature[0], row.curvature[1], row.curvature[2], row.imbalance());
-  plot("plot_figure3.py", arguments.out);
+  plot(program, "plot_figure3.py", arguments.out);
   return true;
 }
 
-int reproduce(const Arguments& arguments, const std::string& command) {
-  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 1");
-  const ThreadLimit limit(arguments.threads);
+int reproduce(const Arguments& arguments, const Program& program) {
+  const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   const bool all = arguments.what == "all";
   bool whole = true;
   if (all || arguments.what == "measures") whole = measures(arguments);
-  if (all || arguments.what == "figure3") whole = whole && figure3(arguments);
-  if (all || arguments.what == "figure1") whole = whole && figure1(arguments, command);
-  if (all || arguments.what == "table1") whole = whole && table1(arguments, command);
+  if (all || arguments.what == "figure3") whole = whole && figure3(arguments, program);
+  if (all || arguments.what == "figure1") whole = whole && figure1(arguments, program);
+  if (all || arguments.what == "table1") whole = whole && table1(arguments, program);
   if (!arguments.quiet)
     std::printf("output in %s%s\n", arguments.out.c_str(),
                 whole ? "" : "; interrupted: the same command goes on with what is there");
-  return whole ? exit_done : exit_interrupted;
+  return whole ? exit_done : InterruptGuard::exit_code();
 }
 
 }  // namespace
 
-void add_reproduce_command(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("reproduce", "the report's table and figures, beside the published values");
+void add_reproduce_command(base::Command& root, const Program& program) {
+  base::Command& command = root.add_command("reproduce", "the report's table and figures, beside the published values");
   auto arguments = std::make_shared<Arguments>();
-  command
-      ->add_option("what", arguments->what, "table1, figure1, figure3, measures (the angle measures' own error) or all")
-      ->required()
-      ->check(CLI::IsMember({"table1", "figure1", "figure3", "measures", "all"}));
-  command->add_flag("--quick", arguments->quick, "table1 without N = 96: minutes instead of most of an hour");
-  command->add_option("--out", arguments->out, "folder for the output")->capture_default_str();
-  command->add_flag("--force", arguments->force, "compute anew what the folder holds");
-  command->add_option("--threads", arguments->threads, "number of threads (default: all cores)");
-  command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
-  command->callback([arguments, &program] { program.exit_code = reproduce(*arguments, program.command_line); });
+  command.add({.name = "what",
+               .target = &arguments->what,
+               .help = "table1, figure1, figure3, measures (the angle measures' own error) or all",
+               .required = true,
+               .names = {"table1", "figure1", "figure3", "measures", "all"},
+               .names_only = true});
+  command.add({.name = "--quick",
+               .target = &arguments->quick,
+               .help = "table1 without N = 96: minutes instead of most of an hour"});
+  add_output(command, arguments->out, arguments->force, "the output; without --force what it holds is not made again");
+  add_threads(command, arguments->threads);
+  add_quiet(command, arguments->quiet);
+  command.set_action([arguments, &program] { return reproduce(*arguments, program); });
 }
 
 }  // namespace foamsim::app

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/console/terminal.h"
 #include "Base/error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/scene_arguments.h"
@@ -67,32 +68,44 @@ void print_active(const Scene& scene) {
 }
 
 int exit_code_of(const RunOutcome& outcome) {
-  if (outcome.end == RunEnd::interrupted) return exit_interrupted;
-  if (outcome.end == RunEnd::failed) return exit_simulation_failed;
+  if (outcome.end == RunEnd::interrupted) return InterruptGuard::exit_code();
+  if (outcome.end == RunEnd::failed) return exit_cannot_go_on;
   return exit_done;
 }
 
-int run(const Arguments& arguments, const std::string& command) {
+// The command that takes up a run where it was interrupted, to the same end.
+std::string command_to_go_on(const Program& program, const SceneArguments& given, const RunOutcome& outcome) {
+  std::string command = program.name + " run --resume " + outcome.checkpoint.string();
+  if (given.steps) command += " --steps " + std::to_string(*given.steps);
+  if (given.time) command += " --time " + base::to_text(*given.time);
+  if (given.until_rest) command += " --until-rest";
+  return command;
+}
+
+int run(const Arguments& arguments, const Program& program) {
   const SceneArguments& given = arguments.scene;
   if (given.scene.empty() && arguments.resume.empty())
     throw base::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
-  RunSettings settings{given.out, given.force, arguments.resume, given.stop(), command};
+  RunSettings settings{given.out, given.force, arguments.resume, given.stop(), program.command_line};
   const bool resuming = !arguments.resume.empty();
   if (resuming && (!given.scene.empty() || !given.assignments.empty() || !given.area.empty() || given.seed))
     throw base::InputError("--resume goes on with the scene of the checkpoint; leave out the scene and its options");
-  const Scene scene = resuming ? built_in_scene("sphere") : given.load();
+  const Scene scene = resuming ? built_in_scene("sphere") : given.load(program);
   if (settings.out.empty() && !resuming) settings.out = std::filesystem::path("out") / scene.name;
-  const ThreadLimit limit(given.threads);
+  const ThreadLimit limit = thread_limit(given.threads);
   if (given.explain && !resuming) print_active(scene);
   const InterruptGuard guard;
   const RunOutcome outcome = [&] {
     Progress progress(resuming ? "resumed" : scene.name, given.quiet);
     return run_scene(scene, settings, hooks_for(progress));
   }();
-  if (outcome.end == RunEnd::failed)
-    std::fprintf(stderr, "foamsim: the simulation cannot go on: %s\nfoamsim: the last good state is %s\n",
-                 outcome.message.c_str(), outcome.last_frame.c_str());
+  if (outcome.end == RunEnd::failed) {
+    base::print_error(program.name, "the simulation cannot go on: " + outcome.message);
+    base::print_error(program.name, "the last good state is " + outcome.last_frame.string());
+  }
   if (!given.quiet) print_summary(outcome);
+  if (!given.quiet && outcome.end == RunEnd::interrupted)
+    std::printf("to go on: %s\n", command_to_go_on(program, given, outcome).c_str());
   if (given.explain) {
     print_stages(outcome);
     print_tracker(outcome);
@@ -102,12 +115,15 @@ int run(const Arguments& arguments, const std::string& command) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("run", "simulate a scene");
+void add_run_command(base::Command& root, const Program& program) {
+  base::Command& command = root.add_command("run", "simulate a scene");
   auto arguments = std::make_shared<Arguments>();
-  arguments->scene.add_to(*command, true);
-  command->add_option("--resume", arguments->resume, "go on from this checkpoint.cbor");
-  command->callback([arguments, &program] { program.exit_code = run(*arguments, program.command_line); });
+  arguments->scene.add_to(command, true);
+  command.add({.name = "--resume",
+               .target = &arguments->resume,
+               .help = "go on from this checkpoint.cbor",
+               .offers = base::Argument::Offers::files});
+  command.set_action([arguments, &program] { return run(*arguments, program); });
 }
 
 }  // namespace foamsim::app

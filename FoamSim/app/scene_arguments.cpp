@@ -1,46 +1,72 @@
 #include "FoamSim/app/scene_arguments.h"
 
-#include <spdlog/spdlog.h>
-
 #include <cmath>
 
+#include "Base/console/terminal.h"
 #include "Base/error.h"
+#include "FoamSim/app/common_arguments.h"
 
 namespace foamsim::app {
 
-void SceneArguments::add_to(CLI::App& command, bool with_area) {
-  command.add_option("scene", scene,
-                     "a built-in scene, a .toml scene file, a reference option file (.txt), or a mesh file");
-  if (with_area) command.add_option("--area", area, "area strategy (see 'foamsim effects')");
-  command.add_option("--set", assignments, "key=value, or key+=word for lists; repeat for more (see 'foamsim scenes')")
-      ->type_size(1)
-      ->allow_extra_args(false);
-  command.add_option("--time", time, "stop at this simulated time");
-  command.add_option("--steps", steps, "stop after this many steps");
-  command.add_flag("--until-rest", until_rest, "stop when the surface is at rest");
-  command.add_option("--out", out, "folder for the output (default: out/SCENE)");
-  command.add_flag("--force", force, "replace a run that the folder holds");
-  command.add_option("--threads", threads, "number of threads (default: all cores); results do not depend on it");
-  command.add_option("--seed", seed, "seed of everything random");
-  command.add_flag("--quiet", quiet, "print nothing but errors");
-  command.add_flag("--explain", explain, "print what is active and what each stage costs");
+namespace {
+
+// A folder is not a scene; that of a run has what was probably meant.
+void require_no_folder(const std::filesystem::path& path, const Program& program) {
+  if (!std::filesystem::is_directory(path)) return;
+  const std::filesystem::path checkpoint = path / "checkpoint.cbor";
+  if (!std::filesystem::exists(checkpoint))
+    throw base::InputError(path.string() + " is a folder; a scene is a name or a file (see '" + program.name +
+                           " scenes')");
+  throw base::InputError(path.string() + " is the folder of a run; to go on with it: " + program.name +
+                         " run --resume " + checkpoint.string());
 }
 
-Scene SceneArguments::load() const {
+}  // namespace
+
+void SceneArguments::add_to(base::Command& command, bool with_area) {
+  using Offers = base::Argument::Offers;
+  command.add({.name = "scene",
+               .target = &scene,
+               .help = "a built-in scene, a .toml scene file, a reference option file (.txt), or a mesh file",
+               .names = scene_names(),
+               .offers = Offers::files});
+  if (with_area)
+    command.add(
+        {.name = "--area", .target = &area, .help = "area strategy (see 'foamsim effects')", .names = area_names()});
+  command.add({.name = "--set",
+               .target = &assignments,
+               .help = "key=value, or key+=word for lists; repeat for more (see 'foamsim scenes')",
+               .list = base::Argument::List::words,
+               .assigns = scene_option_specs()});
+  command.add({.name = "--time", .target = &time, .help = "stop at this simulated time"});
+  command.add({.name = "--steps", .target = &steps, .help = "stop after this many steps"});
+  command.add({.name = "--until-rest", .target = &until_rest, .help = "stop when the surface is at rest"});
+  command.add({.name = "--out",
+               .target = &out,
+               .help = "folder for the output (default: out/SCENE)",
+               .offers = Offers::folders});
+  command.add({.name = "--force", .target = &force, .help = "replace a run that the folder holds"});
+  add_threads(command, threads);
+  command.add({.name = "--seed", .target = &seed, .help = "seed of everything random"});
+  add_quiet(command, quiet);
+  command.add({.name = "--explain", .target = &explain, .help = "print what is active and what each stage costs"});
+}
+
+Scene SceneArguments::load(const Program& program) const {
+  require_no_folder(scene, program);
   Scene loaded = load_scene(scene);
   for (const std::string& assignment : assignments) loaded.options.set_assignment(assignment, "--set");
   if (!area.empty()) loaded.options.set("area", area, "--area");
   if (seed) loaded.options.set("seed", *seed, "--seed");
   validate(loaded);
   for (const std::string& note : loaded.notes)
-    if (!quiet) spdlog::warn("{}", note);
+    if (!quiet) base::print_warning(program.name, note);
   return loaded;
 }
 
 StopAt SceneArguments::stop() const {
   if (time && !(std::isfinite(*time) && *time >= 0)) throw base::InputError("--time has to be a finite number >= 0");
   if (steps && *steps < 0) throw base::InputError("--steps has to be a whole number >= 0");
-  if (threads < 0) throw base::InputError("--threads has to be a whole number >= 1");
   return {time, steps, until_rest};
 }
 

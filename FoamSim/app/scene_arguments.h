@@ -1,9 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "Base/console/command.h"
+#include "FoamSim/app/commands.h"
 #include "FoamSim/run/run.h"
 
 namespace foamsim::app {
@@ -19,9 +20,9 @@ struct SceneArguments {
   int threads = 0;
 
   /// `with_area`: also take --area.
-  void add_to(CLI::App& command, bool with_area);
+  void add_to(base::Command& command, bool with_area);
   /// The scene with all of it applied; validated.
-  Scene load() const;
+  Scene load(const Program& program) const;
   StopAt stop() const;
 };
 

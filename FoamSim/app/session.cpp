@@ -1,6 +1,13 @@
 #include "FoamSim/app/session.h"
 
+#include "Base/error.h"
+
 namespace foamsim::app {
+
+ThreadLimit thread_limit(int threads) {
+  if (threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
+  return ThreadLimit(threads);
+}
 
 RunHooks hooks_for(Progress& progress) {
   return {[&progress](const Metrics& metrics, double fraction) { progress.show(metrics, fraction); },

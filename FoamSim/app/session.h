@@ -18,6 +18,9 @@ class Progress : public base::Progress {
   void show(const Metrics& metrics, double fraction) { show(metrics.step, metrics.time, fraction); }
 };
 
+/// Throws base::InputError for a number of threads (of --threads) below 0; 0: all cores.
+ThreadLimit thread_limit(int threads);
+
 /// Hooks that show progress and ask for interruption.
 RunHooks hooks_for(Progress& progress);
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Base/io/csv_table.h"
+#include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
@@ -53,13 +54,13 @@ void make_quick(AccuracyOptions& options) {
   options.most_time = 8;
 }
 
-int study_accuracy_command(Arguments& arguments) {
+int study_accuracy_command(Arguments& arguments, const Program& program) {
   AccuracyOptions& options = arguments.options;
   options.remeshing = !arguments.fixed_mesh;
   validate(options);
   const std::filesystem::path out = arguments.out;
   require_new_study(out, "accuracy.csv", arguments.force);
-  const ThreadLimit limit(arguments.threads);
+  const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   base::CsvTable table(out / "accuracy.csv", accuracy_csv_header());
   print_header();
@@ -76,42 +77,42 @@ int study_accuracy_command(Arguments& arguments) {
                     .interrupted = InterruptGuard::interrupted});
   }
   if (!InterruptGuard::interrupted() && !arguments.no_evolver) run_plot_script("measure_evolver.py", out);
-  plot_study("plot_accuracy.py", out);
+  plot(program, "plot_accuracy.py", out);
   std::printf("output in %s\n", out.c_str());
-  return InterruptGuard::interrupted() ? exit_interrupted : exit_done;
+  return InterruptGuard::interrupted() ? InterruptGuard::exit_code() : exit_done;
 }
 
 }  // namespace
 
-void add_study_accuracy(CLI::App& study, Program& program) {
-  CLI::App* command = study.add_subcommand(
+void add_study_accuracy(base::Command& study, const Program& program) {
+  base::Command& command = study.add_command(
       "accuracy", "double bubbles brought to rest: errors against the closed form, and what they cost in time");
   auto arguments = std::make_shared<Arguments>();
   AccuracyOptions& options = arguments->options;
-  auto* sizes = command->add_option("--sizes", options.sizes, "N, separated by commas")->delimiter(',');
-  command->add_option("--areas", options.areas, "strategies, separated by commas")->delimiter(',');
-  auto* schemes = command->add_option("--integrators", options.integrators, "euler, rk4")->delimiter(',');
-  auto* steps =
-      command->add_option("--dt", options.steps_of_time, "lengths of a step, separated by commas")->delimiter(',');
-  command->add_option("--damping", options.damping, "factor by which circulation decays in a unit of time")
-      ->capture_default_str();
-  auto* time = command->add_option("--time", options.most_time, "simulated time after which a run ends without rest")
-                   ->capture_default_str();
-  command->add_flag("--fixed-mesh", arguments->fixed_mesh, "without remeshing");
-  command
-      ->add_flag_callback(
-          "--quick", [&options] { make_quick(options); },
-          "N = 8, 12, 16 with euler and dt 0.02: seconds instead of minutes")
-      ->excludes(sizes)
-      ->excludes(schemes)
-      ->excludes(steps)
-      ->excludes(time);
-  command->add_flag("--no-evolver", arguments->no_evolver, "do not measure Surface Evolver, where it is installed");
-  command->add_option("--out", arguments->out, "folder for accuracy.csv and the plot")->capture_default_str();
-  command->add_flag("--force", arguments->force, "replace a study that the folder holds");
-  command->add_flag("--quiet", arguments->quiet, "no progress");
-  command->add_option("--threads", arguments->threads, "number of threads (default: all cores)");
-  command->callback([arguments, &program] { program.exit_code = study_accuracy_command(*arguments); });
+  command.add({.name = "--sizes", .target = &options.sizes, .help = "N, separated by commas"});
+  add_areas(command, options.areas);
+  command.add({.name = "--integrators",
+               .target = &options.integrators,
+               .help = "integrators, separated by commas",
+               .names = {"euler", "rk4"}});
+  command.add({.name = "--dt", .target = &options.steps_of_time, .help = "lengths of a step, separated by commas"});
+  command.add({.name = "--damping",
+               .target = &options.damping,
+               .help = "factor by which circulation decays in a unit of time"});
+  command.add(
+      {.name = "--time", .target = &options.most_time, .help = "simulated time after which a run ends without rest"});
+  command.add({.name = "--fixed-mesh", .target = &arguments->fixed_mesh, .help = "without remeshing"});
+  command.add({.name = "--quick",
+               .target = [&options] { make_quick(options); },
+               .help = "N = 8, 12, 16 with euler and dt 0.02: seconds instead of minutes",
+               .excludes = {"--sizes", "--integrators", "--dt", "--time"}});
+  command.add({.name = "--no-evolver",
+               .target = &arguments->no_evolver,
+               .help = "do not measure Surface Evolver, where it is installed"});
+  add_output(command, arguments->out, arguments->force, "accuracy.csv and the plot");
+  add_quiet(command, arguments->quiet);
+  add_threads(command, arguments->threads);
+  command.set_action([arguments, &program] { return study_accuracy_command(*arguments, program); });
 }
 
 }  // namespace foamsim::app

@@ -8,15 +8,12 @@
 
 namespace foamsim::app {
 
-void add_study_modes(CLI::App& study, Program& program);
-void add_study_accuracy(CLI::App& study, Program& program);
-void add_study_stability(CLI::App& study, Program& program);
+void add_study_modes(base::Command& study, const Program& program);
+void add_study_accuracy(base::Command& study, const Program& program);
+void add_study_stability(base::Command& study, const Program& program);
 
 /// Makes the folder of a study whose table is `table`. Throws base::InputError when it holds one and `force` is not
 /// given, or when it cannot be made.
 void require_new_study(const std::filesystem::path& out, const std::string& table, bool force);
-
-/// Draws the study's plot, or says on stderr why there is none.
-void plot_study(const std::string& script, const std::filesystem::path& out);
 
 }  // namespace foamsim::app

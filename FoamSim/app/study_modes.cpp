@@ -1,6 +1,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "FoamSim/app/common_arguments.h"
+#include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
 #include "FoamSim/studies/modes/mode_csv.h"
@@ -14,7 +16,7 @@ namespace {
 struct Arguments {
   std::string out = "out/modes";
   std::vector<long> modes{2, 3}, subdivisions{2, 3, 4};
-  bool quiet = false, force = false;
+  bool force = false;
   int threads = 0;
 };
 
@@ -29,10 +31,10 @@ void print(const ModeConvergence& result) {
   std::printf("\n");
 }
 
-int study_modes(const Arguments& arguments) {
+int study_modes(const Arguments& arguments, const Program& program) {
   const fs::path out = arguments.out;
   require_new_study(out, "modes.csv", arguments.force);
-  const ThreadLimit limit(arguments.threads);
+  const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   struct Interrupted {};
   std::vector<ModeConvergence> results;
@@ -49,27 +51,27 @@ int study_modes(const Arguments& arguments) {
       std::fflush(stdout);
     }
   } catch (const Interrupted&) {
-    if (results.empty()) return exit_interrupted;
+    if (results.empty()) return InterruptGuard::exit_code();
   }
   write_mode_csv(out / "modes.csv", results);
   write_mode_summary_csv(out / "modes_summary.csv", results);
-  plot_study("plot_modes.py", out);
+  plot(program, "plot_modes.py", out);
   std::printf("output in %s\n", out.c_str());
-  return InterruptGuard::interrupted() ? exit_interrupted : exit_done;
+  return InterruptGuard::interrupted() ? InterruptGuard::exit_code() : exit_done;
 }
 
 }  // namespace
 
-void add_study_modes(CLI::App& study, Program& program) {
-  CLI::App* modes = study.add_subcommand("modes", "oscillation modes of a bubble against linear theory");
+void add_study_modes(base::Command& study, const Program& program) {
+  base::Command& command = study.add_command("modes", "oscillation modes of a bubble against linear theory");
   auto arguments = std::make_shared<Arguments>();
-  modes->add_option("--modes", arguments->modes, "modes to measure, separated by commas")->delimiter(',');
-  modes->add_option("--subdivisions", arguments->subdivisions, "subdivisions of the icosahedron, ascending")
-      ->delimiter(',');
-  modes->add_option("--out", arguments->out, "folder for the output")->capture_default_str();
-  modes->add_flag("--force", arguments->force, "replace a study that the folder holds");
-  modes->add_option("--threads", arguments->threads, "number of threads (default: all cores)");
-  modes->callback([arguments, &program] { program.exit_code = study_modes(*arguments); });
+  command.add({.name = "--modes", .target = &arguments->modes, .help = "modes to measure, separated by commas"});
+  command.add({.name = "--subdivisions",
+               .target = &arguments->subdivisions,
+               .help = "subdivisions of the icosahedron, ascending, separated by commas"});
+  add_output(command, arguments->out, arguments->force, "the tables and the plot");
+  add_threads(command, arguments->threads);
+  command.set_action([arguments, &program] { return study_modes(*arguments, program); });
 }
 
 }  // namespace foamsim::app

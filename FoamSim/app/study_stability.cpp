@@ -3,6 +3,7 @@
 
 #include "Base/error.h"
 #include "Base/io/csv_table.h"
+#include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
 #include "FoamSim/studies/stability/stability_csv.h"
@@ -56,9 +57,13 @@ int list_cases() {
 
 std::vector<bool> remeshing_from(const std::string& word) {
   if (word == "both") return {true, false};
-  if (word == "on") return {true};
-  if (word == "off") return {false};
-  throw base::InputError("--remeshing " + word + " is not known; it has to be on, off or both");
+  return {word == "on"};
+}
+
+std::vector<std::string> case_names() {
+  std::vector<std::string> names;
+  for (const StabilityCase& c : stability_cases()) names.emplace_back(c.name);
+  return names;
 }
 
 int study_stability_command(Arguments& arguments) {
@@ -69,7 +74,7 @@ int study_stability_command(Arguments& arguments) {
   validate(options);
   const std::filesystem::path out = arguments.out;
   require_new_study(out, "stability.csv", arguments.force);
-  const ThreadLimit limit(arguments.threads);
+  const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   base::CsvTable table(out / "stability.csv", stability_csv_header());
   print_header();
@@ -89,29 +94,37 @@ int study_stability_command(Arguments& arguments) {
                      .interrupted = InterruptGuard::interrupted});
   }
   std::printf("%zu of %zu passed; table in %s\n", all - failed, all, (out / "stability.csv").c_str());
-  return InterruptGuard::interrupted() ? exit_interrupted : exit_done;
+  return InterruptGuard::interrupted() ? InterruptGuard::exit_code() : exit_done;
 }
 
 }  // namespace
 
-void add_study_stability(CLI::App& study, Program& program) {
-  CLI::App* command = study.add_subcommand(
+void add_study_stability(base::Command& study, const Program&) {
+  base::Command& command = study.add_command(
       "stability", "named hard cases with each strategy, remeshing on and off: a verdict for each, failures included");
   auto arguments = std::make_shared<Arguments>();
   StabilityOptions& options = arguments->options;
-  command->add_flag("--list", arguments->list, "name the cases and what has to hold, and run nothing");
-  command->add_option("--cases", options.cases, "cases, separated by commas (default: all)")->delimiter(',');
-  command->add_option("--areas", options.areas, "strategies, separated by commas")->delimiter(',');
-  command->add_option("--remeshing", arguments->remeshing, "on, off or both")->capture_default_str();
-  command->add_flag("--quick", arguments->quick, "a twentieth of the steps");
-  command->add_option("--steps-scale", options.steps_scale, "multiplies the number of steps")->capture_default_str();
-  command->add_option("--case-seconds", options.most_seconds, "wall time after which a motion is stopped and fails")
-      ->capture_default_str();
-  command->add_option("--out", arguments->out, "folder for stability.csv")->capture_default_str();
-  command->add_flag("--force", arguments->force, "replace a study that the folder holds");
-  command->add_flag("--quiet", arguments->quiet, "no progress");
-  command->add_option("--threads", arguments->threads, "number of threads (default: all cores)");
-  command->callback([arguments, &program] { program.exit_code = study_stability_command(*arguments); });
+  command.add(
+      {.name = "--list", .target = &arguments->list, .help = "name the cases and what has to hold, and run nothing"});
+  command.add({.name = "--cases",
+               .target = &options.cases,
+               .help = "cases, separated by commas (default: all)",
+               .names = case_names()});
+  add_areas(command, options.areas);
+  command.add({.name = "--remeshing",
+               .target = &arguments->remeshing,
+               .help = "on, off or both",
+               .names = {"on", "off", "both"},
+               .names_only = true});
+  command.add({.name = "--quick", .target = &arguments->quick, .help = "a twentieth of the steps"});
+  command.add({.name = "--steps-scale", .target = &options.steps_scale, .help = "multiplies the number of steps"});
+  command.add({.name = "--case-seconds",
+               .target = &options.most_seconds,
+               .help = "wall time after which a motion is stopped and fails"});
+  add_output(command, arguments->out, arguments->force, "stability.csv");
+  add_quiet(command, arguments->quiet);
+  add_threads(command, arguments->threads);
+  command.set_action([arguments] { return study_stability_command(*arguments); });
 }
 
 }  // namespace foamsim::app

@@ -112,7 +112,7 @@ std::vector<base::OptionSpec> scene_option_specs() {
 
 Scene built_in_scene(std::string_view name) {
   const SceneEntry& entry = scene_by_name(name);
-  Scene scene{std::string(entry.name), "", base::OptionSet(scene_option_specs()), {}};
+  Scene scene{std::string(entry.name), "", base::OptionSet(scene_option_specs(), "foamsim scenes"), {}};
   for (const auto& [key, value] : entry.defaults) scene.options.set_default(key, value);
   return scene;
 }
@@ -123,7 +123,7 @@ Scene load_scene(const std::string& what) {
   if (extension == ".toml") return read_toml_scene(what);
   if (extension == ".txt") return read_reference_options(what);
   if (lostopos::find_mesh_format(what) != nullptr)
-    return {path.stem().string(), what, base::OptionSet(scene_option_specs()), {}};
+    return {path.stem().string(), what, base::OptionSet(scene_option_specs(), "foamsim scenes"), {}};
   return built_in_scene(what);
 }
 

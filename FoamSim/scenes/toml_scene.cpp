@@ -59,7 +59,7 @@ Scene start_of(const toml::table& table, const std::string& file) {
     if (lostopos::find_mesh_format(name) == nullptr)
       throw base::InputError(where + ": '" + name + "' is not a mesh file; known are " + lostopos::mesh_extensions());
     const auto path = std::filesystem::path(file).parent_path() / name;
-    return {path.stem().string(), path.string(), base::OptionSet(scene_option_specs()), {}};
+    return {path.stem().string(), path.string(), base::OptionSet(scene_option_specs(), "foamsim scenes"), {}};
   }
   try {
     return built_in_scene(name);

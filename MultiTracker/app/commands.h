@@ -1,27 +1,29 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
+
+#include "Base/console/command.h"
+#include "Base/console/program.h"
 
 namespace multitracker::app {
 
-/// Exit codes of the program.
-enum ExitCode : int {
-  exit_done = 0,
-  exit_bad_input = 2,
-  exit_failed = 3,
-  exit_interrupted = 130,
-};
+using base::exit_bad_input;
+using base::exit_cannot_go_on;
+using base::exit_done;
 
-/// What the program was called with, and what it will return.
+/// What the program was called with.
 struct Program {
-  std::string command_line;
-  int exit_code = exit_done;
+  std::string name;          ///< "multitracker"
+  std::string command_line;  ///< as typed
 };
 
-/// Adds a command to the program; when it is given, its callback sets program.exit_code (or throws base::Error).
-void add_run_command(CLI::App& app, Program& program);
-void add_scenes_command(CLI::App& app, Program& program);
-void add_study_command(CLI::App& app, Program& program);
+/// Adds a command to the program. Its action returns the exit code, or throws base::Error. `program` has to outlive it.
+void add_run_command(base::Command& root, const Program& program);
+void add_scenes_command(base::Command& root, const Program& program);
+void add_study_command(base::Command& root, const Program& program);
+
+/// The scenes there are, for completion.
+std::vector<std::string> scene_names();
 
 }  // namespace multitracker::app

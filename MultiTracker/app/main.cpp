@@ -1,44 +1,17 @@
-#include <csignal>
-#include <cstdio>
-#include <exception>
-
-#include "Base/error.h"
+#include "Base/console/generate_command.h"
 #include "MultiTracker/app/commands.h"
-
-namespace {
-
-using namespace multitracker::app;
-
-int run_program(int argc, char** argv) {
-  CLI::App app{"multitracker: moves a tracked surface of many regions by a flow", "multitracker"};
-  Program program;
-  for (int i = 0; i < argc; ++i) program.command_line += (i == 0 ? "multitracker" : std::string(" ") + argv[i]);
-  app.set_version_flag("--version", MULTITRACKER_VERSION);
-  app.require_subcommand(1);
-  add_run_command(app, program);
-  add_scenes_command(app, program);
-  add_study_command(app, program);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw base::InputError(std::string(error.what()) + " (see 'multitracker --help')");
-  }
-  return program.exit_code;
-}
-
-}  // namespace
+#include "MultiTracker/app/manual.h"
 
 int main(int argc, char** argv) {
-  // A file that grows past its limit is reported by the failing write, not by the end of the program.
-  std::signal(SIGXFSZ, SIG_IGN);
-  try {
-    return run_program(argc, argv);
-  } catch (const base::InputError& error) {
-    std::fprintf(stderr, "multitracker: %s\n", error.what());
-    return exit_bad_input;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "multitracker: %s\n", error.what());
-    return exit_failed;
-  }
+  using namespace multitracker;
+  app::Program program;
+  program.name = base::program_name(argc, argv, "multitracker");
+  program.command_line = base::command_text(program.name, argc, argv);
+  base::CommandLine line(program.name, "moves a tracked surface of many regions by a flow", MULTITRACKER_VERSION);
+  return base::run_command_line(line, argc, argv, [&program](base::CommandLine& commands) {
+    app::add_run_command(commands.root(), program);
+    app::add_scenes_command(commands.root(), program);
+    app::add_study_command(commands.root(), program);
+    base::add_generate_command(commands, app::manual);
+  });
 }

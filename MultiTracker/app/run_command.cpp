@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "Base/console/interrupt_guard.h"
 #include "Base/console/progress.h"
+#include "Base/console/terminal.h"
 #include "Base/console/thread_limit.h"
 #include "Base/error.h"
 #include "LosTopos/io/mesh_file.h"
@@ -46,14 +48,14 @@ void print_summary(const RunOutcome& outcome, const Arguments& arguments) {
 }
 
 int exit_code_of(RunEnd end) {
-  if (end == RunEnd::interrupted) return exit_interrupted;
-  return end == RunEnd::failed ? exit_failed : exit_done;
+  if (end == RunEnd::interrupted) return base::InterruptGuard::exit_code();
+  return end == RunEnd::failed ? exit_cannot_go_on : exit_done;
 }
 
 int run_scene(const Arguments& arguments, const Program& program) {
   const SceneEntry& scene = scene_by_name(arguments.scene);
   const base::OptionSet options = options_from(arguments, scene);
-  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 1");
+  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
   const base::ThreadLimit limit(arguments.threads);
   std::optional<lostopos::SurfaceMesh> surface;
   if (!arguments.mesh.empty()) surface = lostopos::to_mesh(lostopos::read_surface(arguments.mesh));
@@ -69,31 +71,65 @@ int run_scene(const Arguments& arguments, const Program& program) {
   if (!arguments.out.empty())
     write_run_json(std::filesystem::path(arguments.out) / "run.json",
                    {MULTITRACKER_VERSION, program.command_line, arguments.scene, arguments.mesh}, options, outcome);
-  if (outcome.end == RunEnd::failed)
-    std::fprintf(stderr, "multitracker: %s\nmultitracker: the last good state is %s\n", outcome.message.c_str(),
-                 arguments.out.empty() ? "not saved; give --out DIR" : outcome.last_frame.c_str());
+  if (outcome.end == RunEnd::failed) {
+    base::print_error(program.name, outcome.message);
+    base::print_error(program.name, "the last good state is " + (arguments.out.empty() ? "not saved; give --out DIR"
+                                                                                       : outcome.last_frame.string()));
+  }
   if (!arguments.quiet) print_summary(outcome, arguments);
   return exit_code_of(outcome.end);
 }
 
+// Each key once, though several scenes may have it.
+std::vector<base::OptionSpec> all_option_specs() {
+  std::vector<base::OptionSpec> all = common_option_specs();
+  for (const SceneEntry& entry : scene_entries())
+    for (const base::OptionSpec& spec : entry.options)
+      if (std::ranges::find(all, spec.key, &base::OptionSpec::key) == all.end()) all.push_back(spec);
+  return all;
+}
+
 }  // namespace
 
-void add_run_command(CLI::App& app, Program& program) {
-  CLI::App* command = app.add_subcommand("run", "move a surface by a scene's flow");
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const SceneEntry& entry : scene_entries()) names.emplace_back(entry.name);
+  return names;
+}
+
+void add_run_command(base::Command& root, const Program& program) {
+  using base::Argument;
+  base::Command& command = root.add_command("run", "move a surface by a scene's flow");
   auto a = std::make_shared<Arguments>();
-  command->add_option("scene", a->scene, "see 'multitracker scenes', which also lists the keys of --set")->required();
-  command->add_option("--mesh", a->mesh, "start from this mesh file instead of the scene's own surface");
-  command->add_option("--set", a->assignments, "key=value; repeat for more (see 'multitracker scenes SCENE')")
-      ->type_size(1)
-      ->allow_extra_args(false);
-  command->add_option("--steps", a->steps, "number of steps");
-  command->add_option("--seed", a->seed, "seed of everything random");
-  command->add_option("--out", a->out, "folder for run.json, metrics.csv, volumes.csv, events.csv and frames");
-  command->add_flag("--force", a->force, "replace a run that the folder holds");
-  command->add_option("--threads", a->threads, "number of threads (default: all cores); results do not depend on it");
-  command->add_flag("--audit", a->audit, "audit the surface after every step, and stop when it is not clean");
-  command->add_flag("--quiet", a->quiet, "print nothing but errors");
-  command->callback([a, &program] { program.exit_code = run_scene(*a, program); });
+  command.add({.name = "scene",
+               .target = &a->scene,
+               .help = "see 'multitracker scenes', which also lists the keys of --set",
+               .required = true,
+               .names = scene_names()});
+  command.add({.name = "--mesh",
+               .target = &a->mesh,
+               .help = "start from this mesh file instead of the scene's own surface",
+               .offers = Argument::Offers::files});
+  command.add({.name = "--set",
+               .target = &a->assignments,
+               .help = "key=value; repeat for more (see 'multitracker scenes SCENE')",
+               .list = Argument::List::words,
+               .assigns = all_option_specs()});
+  command.add({.name = "--steps", .target = &a->steps, .help = "number of steps"});
+  command.add({.name = "--seed", .target = &a->seed, .help = "seed of everything random"});
+  command.add({.name = "--out",
+               .target = &a->out,
+               .help = "folder for run.json, metrics.csv, volumes.csv, events.csv and frames",
+               .offers = Argument::Offers::folders});
+  command.add({.name = "--force", .target = &a->force, .help = "replace a run that the folder holds"});
+  command.add({.name = "--threads",
+               .target = &a->threads,
+               .help = "number of threads; 0: all cores; results do not depend on it"});
+  command.add({.name = "--audit",
+               .target = &a->audit,
+               .help = "audit the surface after every step, and stop when it is not clean"});
+  command.add({.name = "--quiet", .target = &a->quiet, .help = "print nothing but errors"});
+  command.set_action([a, &program] { return run_scene(*a, program); });
 }
 
 }  // namespace multitracker::app

@@ -29,15 +29,17 @@ void print_one(const SceneEntry& entry) {
 
 }  // namespace
 
-void add_scenes_command(CLI::App& app, Program&) {
-  CLI::App* command = app.add_subcommand("scenes", "list the scenes and the keys of --set");
+void add_scenes_command(base::Command& root, const Program&) {
+  base::Command& command = root.add_command("scenes", "list the scenes and the keys of --set");
   auto name = std::make_shared<std::string>();
-  command->add_option("scene", *name, "only this one, with its defaults");
-  command->callback([name] {
+  command.add(
+      {.name = "scene", .target = name.get(), .help = "only this one, with its defaults", .names = scene_names()});
+  command.set_action([name] {
     if (name->empty())
       print_all();
     else
       print_one(scene_by_name(*name));
+    return exit_done;
   });
 }
 

@@ -6,6 +6,7 @@
 #include "Base/console/progress.h"
 #include "Base/io/csv_table.h"
 #include "MultiTracker/app/commands.h"
+#include "MultiTracker/scenes/scene.h"
 #include "MultiTracker/study/robustness.h"
 
 namespace multitracker::app {
@@ -45,33 +46,39 @@ int study(const Arguments& arguments) {
                   run.message.c_str());
   print(summarise(runs));
   if (table) std::printf("runs in %s\n", arguments.out.c_str());
-  return base::InterruptGuard::interrupted() ? exit_interrupted : exit_done;
+  return base::InterruptGuard::interrupted() ? base::InterruptGuard::exit_code() : exit_done;
 }
 
 }  // namespace
 
-void add_study_command(CLI::App& app, Program& program) {
-  CLI::App* studies = app.add_subcommand("study", "many runs, and a table of what they came to");
-  studies->require_subcommand(1);
-  CLI::App* command =
-      studies->add_subcommand("robustness", "spheres that grow into a foam: success rate, shared area, time, memory");
+void add_study_command(base::Command& root, const Program&) {
+  using base::Argument;
+  base::Command& studies = root.add_command("study", "many runs, and a table of what they came to");
+  base::Command& command =
+      studies.add_command("robustness", "spheres that grow into a foam: success rate, shared area, time, memory");
   auto a = std::make_shared<Arguments>();
-  command->add_option("--spheres", a->options.spheres, "numbers of spheres")->delimiter(',')->capture_default_str();
-  command->add_option("--steps-of", a->options.steps, "lengths of a step, in mean edges")
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--seeds", a->options.seeds, "runs of each kind")->capture_default_str();
-  command->add_option("--motion", a->options.total_motion, "total motion, in mean edges")->capture_default_str();
-  command->add_option("--layout", a->options.layout, "grid or random")->capture_default_str();
-  command->add_option("--set", a->options.assignments, "key=value for scene normal-flow; repeat for more")
-      ->type_size(1)
-      ->allow_extra_args(false);
-  command->add_option("--time-limit", a->options.time_limit, "of a run, in seconds; longer ones count as failures")
-      ->capture_default_str();
-  command->add_flag("--audit", a->options.audit_every_step, "audit after every step, not only at the end");
-  command->add_option("--out", a->out, "CSV file, a row a run");
-  command->add_flag("--quiet", a->quiet, "show no progress");
-  command->callback([a, &program] { program.exit_code = study(*a); });
+  command.add({.name = "--spheres", .target = &a->options.spheres, .help = "numbers of spheres, separated by commas"});
+  command.add({.name = "--steps-of",
+               .target = &a->options.steps,
+               .help = "lengths of a step, in mean edges, separated by commas"});
+  command.add({.name = "--seeds", .target = &a->options.seeds, .help = "runs of each kind"});
+  command.add({.name = "--motion", .target = &a->options.total_motion, .help = "total motion, in mean edges"});
+  command.add(
+      {.name = "--layout", .target = &a->options.layout, .help = "grid or random", .names = {"grid", "random"}});
+  command.add({.name = "--set",
+               .target = &a->options.assignments,
+               .help = "key=value for scene normal-flow; repeat for more",
+               .list = Argument::List::words,
+               .assigns = options_of(scene_by_name("normal-flow")).specs()});
+  command.add({.name = "--time-limit",
+               .target = &a->options.time_limit,
+               .help = "of a run, in seconds; longer ones count as failures"});
+  command.add({.name = "--audit",
+               .target = &a->options.audit_every_step,
+               .help = "audit after every step, not only at the end"});
+  command.add({.name = "--out", .target = &a->out, .help = "CSV file, a row a run", .offers = Argument::Offers::files});
+  command.add({.name = "--quiet", .target = &a->quiet, .help = "show no progress"});
+  command.set_action([a] { return study(*a); });
 }
 
 }  // namespace multitracker::app

@@ -40,7 +40,7 @@ std::vector<base::OptionSpec> common_option_specs() {
 base::OptionSet options_of(const SceneEntry& scene) {
   std::vector<base::OptionSpec> specs = common_option_specs();
   specs.insert(specs.begin(), scene.options.begin(), scene.options.end());
-  base::OptionSet options(std::move(specs));
+  base::OptionSet options(std::move(specs), "multitracker scenes " + std::string(scene.name));
   for (const auto& [key, value] : scene.defaults) options.set_default(key, value);
   return options;
 }

@@ -1,0 +1,51 @@
+#include "FoamSim/app/manual.h"
+
+#include "FoamSim/effects/registry.h"
+#include "FoamSim/scenes/scene.h"
+#include "FoamSim/scenes/scene_registry.h"
+#include "FoamSim/sheet/pressure/vertex_area/registry.h"
+
+namespace foamsim::app {
+namespace {
+
+using Section = base::Manual::Section;
+
+template <class Entries>
+Section section_of(const std::string& title, const Entries& entries) {
+  Section section{title, {}};
+  for (const auto& entry : entries) section.entries.emplace_back(entry.name, entry.summary);
+  return section;
+}
+
+Section exit_status() {
+  return {"exit status",
+          {{"0", "done"},
+           {"2", "bad input, or output that cannot be written; nothing is left behind"},
+           {"3", "the simulation could not go on; the last good state is saved and named"},
+           {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved"}}};
+}
+
+Section files() {
+  return {"files",
+          {{"run.json", "what was run, every option as used, times by stage, how it ended"},
+           {"metrics.csv, volumes.csv", "a row a step"},
+           {"events.csv", "every change of topology"},
+           {"frames/*.ply", "surfaces"},
+           {"checkpoint.cbor", "from which --resume goes on, to the same bits"},
+           {"surface.pvd, vtp/", "for ParaView, with --set vtp=true"}}};
+}
+
+}  // namespace
+
+base::Manual manual() {
+  return {
+      "Simulates soap films and foams as vortex sheets on a tracked surface. A run's folder holds the files named "
+      "below.\n\nA scene is a built-in one, a .toml file that names one and sets options, a mesh file, or an option "
+      "file of the reference program.",
+      {section_of("scenes", scene_entries()), section_of("effects", effect_entries()),
+       section_of("area strategies", vertex_area_strategies()),
+       Section{"option keys (--set key=value, or in a .toml file)", base::manual_entries(scene_option_specs())},
+       exit_status(), files(), Section{"environment", {{"NO_COLOR", "when set, messages are not coloured"}}}}};
+}
+
+}  // namespace foamsim::app

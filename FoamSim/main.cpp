@@ -1,0 +1,5 @@
+#include "FoamSim/app/run_program.h"
+
+int main(int argc, char** argv) {
+  return foamsim::run_program(argc, argv);
+}

@@ -41,7 +41,11 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCase{"unknown_format", "run enright --mesh " MULTITRACKER_PROGRAM, {"known are .ply"}},
                     BadCase{"no_spheres", "study robustness --spheres 0", {"--spheres", ">= 1"}},
                     BadCase{"no_step", "study robustness --steps-of 0", {"--steps-of 0", "> 0"}},
-                    BadCase{"no_scene", "run", {"scene"}}),
+                    BadCase{"no_scene", "run", {"scene"}},
+                    BadCase{"mistyped_command", "rnu T1", {"unknown command 'rnu'", "did you mean 'run'"}},
+                    BadCase{"mistyped_study", "study robustnes", {"did you mean 'robustness'"}},
+                    BadCase{"mistyped_flag", "run T1 --adit", {"unknown option '--adit'", "did you mean '--audit'"}},
+                    BadCase{"many_options", "run T1 --set qqqqqq=1", {"see 'multitracker scenes T1'"}}),
     [](const auto& info) { return info.param.name; });
 
 TEST(BadInput, AFullFolderIsKeptUnlessForced) {
@@ -88,6 +92,20 @@ TEST(Interrupted, FinishesTheStepAndKeepsWhatThereIs) {
   const std::string last = run["last_frame"].get<std::string>();
   const fs::path frame = scratch.path() / "run/frames" / fs::path(last).filename();
   EXPECT_EQ(run_multitracker("run noise --steps 1 --mesh " + frame.string()).exit_code, 0);
+}
+
+TEST(Interrupted, ExitCodeTellsTheSignal) {
+  for (const auto& [signal, code] : {std::pair{"TERM", 143}, {"HUP", 129}})
+    EXPECT_EQ(run_multitracker("run noise --steps 1000000 --quiet",
+                               std::string("timeout --preserve-status -s ") + signal + " 1")
+                  .exit_code,
+              code);
+}
+
+TEST(FullDisk, BehindStdoutIsAnError) {
+  const ProgramResult result = ::test::run_program("sh -c '" MULTITRACKER_PROGRAM, "scenes >/dev/full'");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.error.find("cannot write the output"), std::string::npos) << result.error;
 }
 
 TEST(Run, HasTheSameBitsWithOneThreadAndWithTwo) {

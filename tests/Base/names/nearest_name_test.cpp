@@ -36,5 +36,15 @@ TEST(UnknownNameMessage, NamesKindNameSuggestionAndAllThatIsKnown) {
             "unknown scene 'qqqqqqqqq' (known: naive, constant-edge, averaged, doublebubble)");
 }
 
+TEST(UnknownNameMessage, SuggestsAFewOfManyNames) {
+  std::vector<std::string> names{"remeshing.longest_edge", "remeshing.shortest_edge", "damping", "dampen", "dampind"};
+  for (int i = 0; i < 20; ++i) names.push_back("some_other_option_" + std::to_string(i));
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  EXPECT_EQ(base::unknown_name_message("option", "dampin", known),
+            "unknown option 'dampin'; did you mean 'damping', 'dampen' or 'dampind'?");
+  EXPECT_EQ(base::unknown_name_message("option", "longest_edge", known, "foamsim scenes"),
+            "unknown option 'longest_edge'; did you mean 'remeshing.longest_edge'? (see 'foamsim scenes')");
+}
+
 }  // namespace
 }  // namespace foamsim

@@ -44,6 +44,22 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"negative_steps", "run sphere --steps -3", {"--steps"}},
         BadCase{"nan_time", "run sphere --time nan", {"--time"}},
         BadCase{"unknown_flag", "run sphere --stepz 3", {"stepz"}},
+        BadCase{"mistyped_flag", "compare --ares naive sphere", {"unknown option '--ares'", "did you mean '--areas'"}},
+        BadCase{"short_flag", "-v", {"unknown option '-v'", "did you mean '--version'"}},
+        BadCase{"mistyped_study", "study mode", {"unknown study 'mode'", "did you mean 'modes'"}},
+        BadCase{"a_word_too_many", "run sphere cube", {"'cube' is a word too many"}},
+        BadCase{"a_folder", "run /tmp", {"/tmp is a folder", "foamsim scenes"}},
+        BadCase{"group_left_out", "run sphere --set longest_edge=1", {"did you mean 'remeshing.longest_edge'"}},
+        BadCase{"steps_not_whole", "run sphere --steps 1.5", {"--steps: '1.5' is not a whole number"}},
+        BadCase{"steps_twice", "run sphere --steps 1 --steps 2", {"--steps is given more than once"}},
+        BadCase{"negative_threads", "run sphere --threads -1", {"--threads"}},
+        BadCase{"unknown_part", "reproduce tabel1", {"did you mean 'table1'"}},
+        BadCase{"no_pixels", "render a.ply --size 0x0", {"--size 0x0", "1 to 32768 pixels"}},
+        BadCase{"no_size", "render a.ply --size big", {"WIDTHxHEIGHT"}},
+        BadCase{"no_rays", "render a.ply --samples 0", {"--samples", "1 to 4096"}},
+        BadCase{"no_direction", "render a.ply --view 0 0 0", {"--view", "direction"}},
+        BadCase{"half_a_direction", "render a.ply --view 0 1", {"--view"}},
+        BadCase{"unknown_background", "render a.ply --background drak", {"did you mean 'dark'"}},
         BadCase{"missing_scene_file", "run nowhere.toml", {"nowhere.toml"}},
         BadCase{"missing_mesh_file", "run nowhere.ply", {"nowhere.ply"}},
         BadCase{"missing_checkpoint", "run --resume nowhere.cbor", {"nowhere.cbor", "checkpoint"}}),
@@ -97,6 +113,29 @@ TEST(BadFiles, ACutCheckpointIsRefused) {
                    "checkpoint");
   }
   EXPECT_FALSE(fs::exists(scratch.path() / "more"));
+}
+
+TEST(BadFiles, TheFolderOfARunIsNoSceneAndTheMessageSaysHowToGoOn) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "run")).exit_code, 0);
+  expect_refused(run_foamsim("run " + (scratch / "run")), "run --resume " + (scratch / "run/checkpoint.cbor"));
+}
+
+TEST(BadCommand, NoneNamesThoseThereAre) {
+  expect_refused(run_foamsim(""), "needs a command: run, compare");
+  expect_refused(run_foamsim("study"), "needs a command: modes, accuracy, stability");
+}
+
+TEST(BadFiles, AMessageListsSuggestionsNotEveryOption) {
+  const ProgramResult result = run_foamsim("run sphere --set qqqqqqqqqqqq=1");
+  expect_refused(result, "see 'foamsim scenes'");
+  EXPECT_LT(result.error.size(), 100U) << result.error;
+}
+
+TEST(BadOutput, AFullDiskBehindStdoutIsAnError) {
+  for (const char* command : {"scenes", "effects", "--help", "generate man"})
+    expect_refused(::test::run_program("sh -c '" FOAMSIM_PROGRAM, std::string(command) + " >/dev/full'"),
+                   "cannot write the output");
 }
 
 TEST(BadOutput, AFolderThatHoldsARunIsRefusedUnlessForced) {

@@ -236,6 +236,53 @@ TEST(InspectCommand, ReportsCountsVolumesAnglesAndAudit) {
   EXPECT_NEAR(report["volumes"]["2"].get<double>(), 4.027, 5e-4);
 }
 
+// Two tetrahedra, one of which cuts into the other when it is moved by less than its size.
+void write_tetrahedra(const std::string& file, double shift) {
+  std::ofstream out(file);
+  for (const double x : {0.0, shift})
+    out << "v " << x << " 0 0\nv " << x + 1 << " 0 0\nv " << x << " 1 0\nv " << x << " 0 1\n";
+  for (const int first : {1, 5}) {
+    const int a = first, b = first + 1, c = first + 2, d = first + 3;
+    out << "g region_" << (first == 1 ? 1 : 2) << "_0\nf " << a << " " << c << " " << b << "\nf " << a << " " << b
+        << " " << d << "\nf " << a << " " << d << " " << c << "\nf " << b << " " << c << " " << d << "\n";
+  }
+}
+
+TEST(InspectCommand, ExitCodeTellsWhetherTheMeshIsClean) {
+  const ScratchFolder scratch;
+  write_tetrahedra(scratch / "apart.obj", 2);
+  write_tetrahedra(scratch / "crossing.obj", 0.3);
+  const ProgramResult apart = run_foamsim("inspect " + (scratch / "apart.obj"));
+  EXPECT_EQ(apart.exit_code, 0) << apart.out << apart.error;
+  for (const char* how : {"inspect ", "inspect --json "}) {
+    const ProgramResult crossing = run_foamsim(how + (scratch / "crossing.obj"));
+    EXPECT_EQ(crossing.exit_code, 2) << crossing.out << crossing.error;
+    EXPECT_NE(crossing.out.find("not clean"), std::string::npos) << crossing.out;
+  }
+}
+
+TEST(CompareCommand, TakesTheSceneBehindAList) {
+  const ScratchFolder scratch;
+  const ProgramResult result =
+      run_foamsim("compare --areas averaged,naive sphere --steps 1 --no-pictures --out " + (scratch / "compare"));
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_TRUE(fs::exists(scratch.path() / "compare/naive/run.json"));
+}
+
+TEST(GenerateCommand, PrintsScriptsThatNameScenesStrategiesEffectsAndKeys) {
+  for (const char* what : {"bash", "zsh", "man"}) {
+    const ProgramResult result = run_foamsim(std::string("generate ") + what);
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    for (const char* name : {"doublebubble", "border-length", "diffusion", "remeshing.longest_edge", "until-rest"}) {
+      std::string word = name;  // troff's dashes have a backslash
+      if (std::string(what) == "man")
+        for (std::size_t at = word.find('-'); at != std::string::npos; at = word.find('-', at + 2))
+          word.insert(at, "\\");
+      EXPECT_NE(result.out.find(word), std::string::npos) << what << " " << name;
+    }
+  }
+}
+
 TEST(ConvertCommand, KeepsTheSurfaceThroughEveryFormat) {
   const ScratchFolder scratch;
   ASSERT_EQ(run_foamsim("run doublebubble --steps 0 --out " + (scratch / "run")).exit_code, 0);

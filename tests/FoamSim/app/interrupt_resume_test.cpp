@@ -41,6 +41,21 @@ TEST(InterruptedRun, FinishesTheStepAndSaysSo) {
   EXPECT_EQ(run_foamsim("inspect " + last.string()).exit_code, 0);
 }
 
+TEST(InterruptedRun, OfEverySignalSavesAndSaysHowToGoOn) {
+  for (const auto& [signal, code] : {std::pair{"TERM", 143}, {"HUP", 129}, {"INT", 130}}) {
+    const ScratchFolder scratch;
+    const ProgramResult result = run_foamsim("run doublebubble --steps 1000000 --out " + (scratch / "run"),
+                                             std::string("timeout --preserve-status -s ") + signal + " 1");
+    EXPECT_EQ(result.exit_code, code) << result.error;
+    EXPECT_EQ(json::parse(read_file(scratch / "run/run.json"))["ended"], "interrupted") << signal;
+    EXPECT_TRUE(fs::exists(scratch.path() / "run/checkpoint.cbor")) << signal;
+    EXPECT_NE(
+        result.out.find("to go on: foamsim run --resume " + (scratch / "run/checkpoint.cbor") + " --steps 1000000\n"),
+        std::string::npos)
+        << result.out;
+  }
+}
+
 TEST(InterruptedRun, CanBeResumedToTheSameBits) {
   const ScratchFolder scratch;
   const std::string scene = "run doublebubble --set frame_every=7 --set vtp=true";

@@ -6,6 +6,7 @@
 
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/error.h"
+#include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/limits.h"
 #include "LosTopos/remeshing/remesher.h"
 #include "LosTopos/topology/topology_pass.h"
@@ -26,14 +27,15 @@ bool has_many_gaps(const SurfaceMesh& mesh) {
 }  // namespace
 
 SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
-    : mesh_(std::move(mesh)), options_(options), hold_(std::make_unique<HoldTransfer>(mesh_)), observers_{hold_.get()} {
+    : mesh_(std::move(mesh)),
+      options_(options),
+      held_(add_hold_attribute(mesh_)),
+      solid_(mesh_.add_triangle_attribute<std::uint8_t>("solid", carry::copy)) {
   options_.remesh.target_edge = options_.resolution;
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
     throw base::InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
   if (options_.remeshing) limits_of(options_.remesh);  // throws where bounds contradict each other
-  if (!options_.topology.enabled) return;
-  motion_ = std::make_unique<CarriedMotion>(mesh_);
-  observers_.push_back(motion_.get());
+  if (options_.topology.enabled) motion_ = mesh_.add_vertex_attribute<Vec3>("motion", carry::interpolate, Vec3::Zero());
 }
 
 MoveResult SurfaceTracker::advance(std::span<const Vec3> predicted) {
@@ -42,15 +44,13 @@ MoveResult SurfaceTracker::advance(std::span<const Vec3> predicted) {
 }
 
 MoveOptions SurfaceTracker::move_options() const {
-  return {.proximity_epsilon = options_.proximity_epsilon * options_.resolution,
-          .impulse_passes = options_.impulse_passes,
-          .zone_passes = options_.zone_passes,
-          .rigid_passes = options_.rigid_passes,
-          .smallest_step = options_.smallest_step};
+  MoveOptions options = options_.move;
+  options.proximity_epsilon = options_.proximity_epsilon * options_.resolution;
+  return options;
 }
 
 MoveResult SurfaceTracker::move_to(std::span<const Vec3> predicted) {
-  if (options_.collisions) return move_safely(mesh_, predicted, hold_->held.slots(), move_options());
+  if (options_.collisions) return move_safely(mesh_, predicted, held_.slots(), move_options());
   for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
   return {};
 }
@@ -92,14 +92,25 @@ void SurfaceTracker::improve(TrackerStep& done) {
   done.remesh += remesh();
 }
 
+// Returns the length of the longest displacement, L.
+double SurfaceTracker::note_motion(std::span<const Vec3> predicted) {
+  double longest = 0;
+  for (Vertex v : mesh_.vertices()) {
+    Vec3& motion = (*motion_)[v];
+    motion = predicted[v.index()] - mesh_.position(v);
+    longest = std::max(longest, motion.squaredNorm());
+  }
+  return std::sqrt(longest);
+}
+
 // How many parts the motion is to be done in; 0: it has been done, since nothing was in its way.
 int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done) {
   if (!motion_) return 1;
   const double longest = options_.topology.longest_motion * options_.resolution;
-  const int parts = std::max(1, static_cast<int>(std::ceil(motion_->set(mesh_, predicted) / longest - 1e-9)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(note_motion(predicted) / longest - 1e-9)));
   if (parts == 1 || !options_.collisions) return 1;
   const base::TimedScope timed(done.move_seconds);
-  done.move = move_if_free(mesh_, predicted, hold_->held.slots(), move_options());
+  done.move = move_if_free(mesh_, predicted, held_.slots(), move_options());
   return done.move.fraction > 0 ? 0 : parts;
 }
 
@@ -130,7 +141,7 @@ TopologyStatistics SurfaceTracker::change_topology() {
   const TopologyOptions& options = options_.topology;
   if (!options.enabled) return statistics;
   const base::Stopwatch watch;
-  RemeshContext context(mesh_, hold_->held, options_.remesh, observers_);
+  RemeshContext context(mesh_, held_, options_.remesh, observers_.observers());
   TopologyPass pass(
       context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
   if (options.collapse_regions) pass.collapse_small_regions();
@@ -148,7 +159,7 @@ RemeshStatistics SurfaceTracker::remesh() {
   RemeshStatistics statistics;
   if (!options_.remeshing) return statistics;
   for (int i = 0; i < options_.remeshing_iterations; ++i) {
-    Remesher remesher(mesh_, hold_->held, options_.remesh, observers_);
+    Remesher remesher(mesh_, held_, options_.remesh, observers_.observers());
     statistics += remesher.run();
   }
   if (has_many_gaps(mesh_)) mesh_.compact();

@@ -1,17 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "LosTopos/collision/safe_move.h"
+#include "LosTopos/mesh/hold.h"
+#include "LosTopos/mesh/observer_list.h"
 #include "LosTopos/mesh/surface_mesh.h"
-#include "LosTopos/remeshing/hold_transfer.h"
-#include "LosTopos/remeshing/operation_events.h"
 #include "LosTopos/remeshing/remesh_options.h"
 #include "LosTopos/remeshing/remesh_statistics.h"
-#include "LosTopos/topology/carried_motion.h"
 #include "LosTopos/topology/topology_options.h"
 #include "LosTopos/topology/topology_statistics.h"
 
@@ -22,14 +22,11 @@ struct TrackerOptions {
   double resolution = 0;            ///< target mean edge length h̄, L, > 0
   bool collisions = true;           ///< keep the surface from intersecting itself; false: move it where it is sent
   double proximity_epsilon = 1e-4;  ///< over h̄: nearer elements are pushed apart
-  int impulse_passes = 5;           ///< see MoveOptions
-  int zone_passes = 15;
-  int rigid_passes = 40;
-  double smallest_step = 1.0 / 64;
-  double largest_motion = 20;    ///< over h̄: a step that moves a vertex farther is not resolved, and refused
-  bool remeshing = true;         ///< false: `remesh` does nothing
-  int remeshing_iterations = 1;  ///< passes a call of `remesh`
-  RemeshOptions remesh = {};     ///< its target_edge is set from `resolution`
+  MoveOptions move = {};            ///< its proximity_epsilon is set from the one above
+  double largest_motion = 20;       ///< over h̄: a step that moves a vertex farther is not resolved, and refused
+  bool remeshing = true;            ///< false: `remesh` does nothing
+  int remeshing_iterations = 1;     ///< passes a call of `remesh`
+  RemeshOptions remesh = {};        ///< its target_edge is set from `resolution`
   TopologyOptions topology = {};
 };
 
@@ -53,17 +50,32 @@ class SurfaceTracker {
   /// Throws InputError for options out of range.
   explicit SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options = {});
 
+  /// All that a tracker carries from step to step: the mesh, and with it all named attributes, what is held and solid
+  /// among them.
+  using State = SurfaceMesh::State;
+  State state() const { return mesh_.state(); }
+  /// The same as `state`, into one that is there, whose memory is used again.
+  void save(State& state) const { mesh_.save(state); }
+  /// Puts the surface and all named attributes back, see SurfaceMesh::restore.
+  void restore(const State& state) { mesh_.restore(state); }
+
   const SurfaceMesh& mesh() const { return mesh_; }
   /// For data that is attached to the mesh (attributes).
   SurfaceMesh& mesh() { return mesh_; }
   const TrackerOptions& options() const { return options_; }
 
   /// What of a vertex is moved by its prediction only, never by collisions or remeshing: all of it, or some of its
-  /// coordinates (see mesh/hold.h), as on a wall along which the surface slides. Handed on to new vertices.
-  VertexAttribute<char>& held() { return hold_->held; }
+  /// coordinates (see mesh/hold.h), as on a wall along which the surface slides. Handed on to new vertices. The mesh's
+  /// attribute "hold".
+  VertexAttribute<Hold>& held() { return held_; }
+  const VertexAttribute<Hold>& held() const { return held_; }
+  /// Which triangles are part of a solid, not of a film: not zero for these. The tracker treats both alike; it is for
+  /// those who compute with films. Handed on from parent to child. The mesh's attribute "solid".
+  TriangleAttribute<std::uint8_t>& solid() { return solid_; }
+  const TriangleAttribute<std::uint8_t>& solid() const { return solid_; }
 
-  /// Is told of every operation of `remesh`; must live as long as it is called.
-  void add_observer(OperationObserver& observer) { observers_.push_back(&observer); }
+  /// `observer` is told of every operation of `remesh` and `change_topology` for as long as the token lives.
+  [[nodiscard]] ObserverToken add_observer(OperationObserver& observer) { return observers_.add(observer); }
 
   /// One step: moves the vertices to, or near, `predicted` (as `advance` does, and throws what it throws), changes the
   /// topology where that is asked for, and remeshes. A motion in which surfaces collide and that is long (see
@@ -89,15 +101,18 @@ class SurfaceTracker {
   void require_resolved(std::span<const Vec3> predicted) const;
   MoveResult move_to(std::span<const Vec3> predicted);
   MoveOptions move_options() const;
+  double note_motion(std::span<const Vec3> predicted);
   int parts_of(std::span<const Vec3> predicted, TrackerStep& done);
   void move_part(std::span<const Vec3> predicted, TrackerStep& done);
   void improve(TrackerStep& done);
 
   SurfaceMesh mesh_;
   TrackerOptions options_;
-  std::unique_ptr<HoldTransfer> hold_;
-  std::unique_ptr<CarriedMotion> motion_;  ///< of the last step; only where the topology may change
-  std::vector<OperationObserver*> observers_;
+  VertexAttribute<Hold> held_;
+  TriangleAttribute<std::uint8_t> solid_;
+  // The displacement that the last step asked of every vertex, L; only where the topology may change.
+  std::optional<VertexAttribute<Vec3>> motion_;
+  ObserverList observers_;
 };
 
 }  // namespace lostopos

@@ -12,7 +12,7 @@ namespace {
 void warn_of_losses(const Program& program, const std::string& out, const lostopos::SurfaceData& data) {
   const lostopos::MeshFormat* format = lostopos::find_mesh_format(out);
   if (format == nullptr) return;
-  if (!format->keeps_circulation && (!data.circulation.empty() || !data.held.empty()))
+  if (!format->keeps_pair_arrays && (!data.pair_arrays.empty() || !data.held.empty()))
     base::print_warning(program.name, std::string(format->extension) +
                                           " files have no place for circulation and held vertices; they are left out");
   if (!format->keeps_arrays && (!data.vertex_arrays.empty() || !data.triangle_arrays.empty()))

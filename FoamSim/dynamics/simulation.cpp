@@ -40,20 +40,20 @@ Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, std::
     : options_(options),
       tracker_(make_tracker(std::move(mesh), options)),
       circulation_(std::make_unique<CirculationField>(tracker_->mesh())),
-      transfer_(std::make_unique<CirculationTransfer>(*circulation_)),
       effects_(std::move(effects)),
       velocity_(make_biot_savart("direct")),
       resolution_(tracker_->options().resolution),
       delta_(options.delta > 0 ? options.delta : 0.75 * resolution_) {
-  tracker_->add_observer(*transfer_);
-  for (Vertex v : held) tracker_->held()[v] = 1;
-  any_held_ = !held.empty();
-  geometry_.update(tracker_->mesh(), this->held());
+  for (Vertex v : held) tracker_->held()[v] = lostopos::Hold::all;
+  geometry_.update(tracker_->mesh(), solid());
 }
 
-std::span<const char> Simulation::held() const {
-  if (!any_held_) return {};
-  return std::as_const(tracker_->held()).slots();
+std::span<const lostopos::Hold> Simulation::held() const {
+  return std::as_const(*tracker_).held().slots();
+}
+
+std::span<const std::uint8_t> Simulation::solid() const {
+  return std::as_const(*tracker_).solid().slots();
 }
 
 StepReport Simulation::step() {
@@ -77,7 +77,7 @@ StepReport Simulation::step() {
   track(report);
   {
     const base::TimedScope timed(report.times, "geometry");
-    geometry_.update(tracker_->mesh(), held());
+    geometry_.update(tracker_->mesh(), solid());
   }
   ++steps_;
   report.velocity_evaluations = velocity_.evaluations() - evaluations_before;
@@ -107,7 +107,8 @@ void Simulation::move_vertices(base::StageTimes& times) {
   }
   const auto held_slots = held();
   for (std::size_t i = 0; i < held_slots.size(); ++i)
-    if (held_slots[i] != 0) predicted_[i] = tracker_->mesh().positions()[i];
+    for (int k = 0; k < 3; ++k)
+      if (holds(held_slots[i], k)) predicted_[i][k] = tracker_->mesh().positions()[i][k];
 }
 
 void Simulation::apply_effects(base::StageTimes& times) {
@@ -119,7 +120,7 @@ void Simulation::apply_effects(base::StageTimes& times) {
 }
 
 std::vector<double> Simulation::gather_circulation() {
-  gather_sheet(tracker_->mesh(), *circulation_, sheet_, held());
+  gather_sheet(tracker_->mesh(), *circulation_, sheet_, solid());
   return circulation_without_region_constants(tracker_->mesh(), sheet_, tracker_->mesh().positions());
 }
 

@@ -7,9 +7,10 @@
 #include "FoamSim/dynamics/integrator.h"
 #include "FoamSim/dynamics/topology_totals.h"
 #include "FoamSim/effects/effect.h"
-#include "FoamSim/sheet/circulation_transfer.h"
+#include "FoamSim/sheet/circulation.h"
 #include "FoamSim/sheet/surface_geometry.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/surface_tracker.h"
 
 namespace foamsim {
@@ -49,7 +50,8 @@ struct StepReport {
 class Simulation {
  public:
   /// Starts at rest (Γ = 0), at time 0. Effects act in the order given. `held` vertices stay where they are: films end
-  /// there at a wire or frame. Throws base::InputError for a mesh without triangles or options out of range.
+  /// there at a wire or frame. Values that wait in the mesh ("hold", "solid", "circulation") are taken. Throws
+  /// base::InputError for a mesh without triangles or options out of range.
   Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects,
              std::span<const lostopos::Vertex> held = {});
 
@@ -60,8 +62,10 @@ class Simulation {
   const lostopos::SurfaceMesh& mesh() const { return tracker_->mesh(); }
   const CirculationField& circulation() const { return *circulation_; }
   CirculationField& circulation() { return *circulation_; }
-  /// By vertex slot: not zero where the vertex is held; empty when none is.
-  std::span<const char> held() const;
+  /// By vertex slot: what is held of each, see lostopos/mesh/hold.h.
+  std::span<const lostopos::Hold> held() const;
+  /// By triangle slot: not zero for those of a solid.
+  std::span<const std::uint8_t> solid() const;
   /// Areas, angles and region lists of the surface as it is now.
   const SurfaceGeometry& geometry() const { return geometry_; }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
@@ -89,7 +93,6 @@ class Simulation {
   SimulationOptions options_;
   std::unique_ptr<lostopos::SurfaceTracker> tracker_;
   std::unique_ptr<CirculationField> circulation_;
-  std::unique_ptr<CirculationTransfer> transfer_;
   std::vector<std::unique_ptr<Effect>> effects_;
   SheetVelocity velocity_;
   SurfaceGeometry geometry_;
@@ -98,7 +101,6 @@ class Simulation {
   double resolution_ = 0, delta_ = 0;
   long steps_ = 0;
   TopologyTotals topology_totals_;
-  bool any_held_ = false;
 };
 
 }  // namespace foamsim

@@ -5,18 +5,20 @@
 
 #include "FoamSim/sheet/circulation.h"
 #include "FoamSim/sheet/surface_geometry.h"
+#include "LosTopos/mesh/hold.h"
 
 namespace foamsim {
 
 /// What an effect sees of the step that is being made.
 struct EffectStep {
   const lostopos::SurfaceMesh& mesh;
-  const SurfaceGeometry& geometry;  ///< of the mesh's present positions
-  double time;                      ///< at the start of the step, T
-  double dt;                        ///< T
-  std::span<const char> held = {};  ///< by vertex slot: not zero where a wire or frame holds the vertex; empty: nowhere
+  const SurfaceGeometry& geometry;            ///< of the mesh's present positions
+  double time;                                ///< at the start of the step, T
+  double dt;                                  ///< T
+  std::span<const lostopos::Hold> held = {};  ///< by vertex slot, what a wire or frame holds; empty: nothing
 
-  bool is_held(lostopos::Vertex v) const { return v.index() < held.size() && held[v.index()] != 0; }
+  /// Whether all of v is held.
+  bool is_held(lostopos::Vertex v) const { return v.index() < held.size() && lostopos::is_held(held[v.index()]); }
 };
 
 /// Something that acts on the sheet: constructed only for a scene that names it, with its own options and state.

@@ -16,10 +16,10 @@ void SurfaceTension::update_circulation(const EffectStep& step, CirculationField
                       for (std::size_t i = range.begin(); i != range.end(); ++i) {
                         const Vertex v(i);
                         if (!step.mesh.alive(v) || step.is_held(v)) continue;
-                        for (PairCirculation& held : circulation.at(v))
-                          held.value += sigma_ * step.dt *
-                                        (curvature_.get(step.geometry, v, held.pair.low) -
-                                         curvature_.get(step.geometry, v, held.pair.high));
+                        for (PairCirculation& entry : circulation.at(v))
+                          entry.value += sigma_ * step.dt *
+                                         (curvature_.get(step.geometry, v, entry.pair.low) -
+                                          curvature_.get(step.geometry, v, entry.pair.high));
                       }
                     });
 }

@@ -10,9 +10,7 @@ namespace foamsim {
 /// What a run needs to go on as if it had not stopped, to the bit.
 struct Checkpoint {
   Scene scene;
-  lostopos::SurfaceMesh mesh;
-  std::vector<std::vector<PairCirculation>> circulation;  ///< by vertex slot
-  std::vector<lostopos::Vertex> held;                     ///< vertices that are held
+  lostopos::SurfaceMesh mesh;  ///< with the values of its named attributes (circulation, hold, ...), which wait in it
   long step = 0;
   TopologyTotals topology;
   double resolution = 0;                              ///< h̄, L

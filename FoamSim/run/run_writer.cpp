@@ -28,9 +28,9 @@ bool due(long step, long every) {
   return every > 0 && step % every == 0;
 }
 
-// The circulation at the triangles' corners, averaged, and the label-independent size of it, for colouring.
+// All named fields that are numbers, and the circulation at the triangles' corners, averaged.
 lostopos::SurfaceData with_circulation(const Simulation& simulation) {
-  lostopos::SurfaceData data = lostopos::from_mesh(simulation.mesh());
+  lostopos::SurfaceData data = lostopos::from_mesh_with_attributes(simulation.mesh());
   lostopos::DataArray mean{"circulation", 1, {}};
   for (lostopos::Triangle t : simulation.mesh().triangles()) {
     const auto corners = corner_circulation(simulation.mesh(), simulation.circulation(), t);

@@ -12,6 +12,7 @@
 #include "FoamSim/scenes/toml_scene.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "LosTopos/io/mesh_file.h"
+#include "LosTopos/io/rec.h"
 #include "LosTopos/tracker_options.h"
 
 namespace foamsim {
@@ -69,7 +70,7 @@ void require_known_names(const base::OptionSet& options) {
 // With what a file of the reference program holds besides the surface.
 struct StartSurface {
   SurfaceMesh mesh;
-  lostopos::PairValues circulation = {};
+  lostopos::PairArray circulation = {};
   std::vector<Vertex> held = {};
 };
 
@@ -79,18 +80,31 @@ void hold_free_edges(StartSurface& start) {
       start.held.insert(start.held.end(), start.mesh.vertices(e).begin(), start.mesh.vertices(e).end());
 }
 
+// In a file of the reference program a triangle with three held corners is part of a solid; the tracker takes over what
+// waits in the mesh.
+void mark_solids(StartSurface& start) {
+  std::vector<char> is_held(start.mesh.vertex_slots(), 0);
+  for (Vertex v : start.held) is_held[v.index()] = 1;
+  auto solid = start.mesh.add_triangle_attribute<std::uint8_t>("solid", lostopos::carry::copy);
+  for (lostopos::Triangle t : start.mesh.triangles())
+    solid[t] = std::ranges::all_of(start.mesh.vertices(t), [&](Vertex v) { return is_held[v.index()] != 0; }) ? 1 : 0;
+  std::move(solid).leave();
+}
+
 StartSurface start_surface(const Scene& scene) {
   if (scene.mesh_file.empty()) return {scene_by_name(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
-  StartSurface start{lostopos::to_mesh(data), std::move(data.circulation)};
+  StartSurface start{lostopos::to_mesh(data)};
+  if (const auto* circulation = find_pair_array(data, lostopos::rec_pair_array)) start.circulation = *circulation;
   for (const lostopos::HeldVertex& held : data.held) {
     start.held.emplace_back(held.vertex);
     start.mesh.set_position(Vertex(held.vertex), held.position);
   }
+  if (!start.held.empty()) mark_solids(start);
   return start;
 }
 
-void set_start_motion(const Scene& scene, const lostopos::PairValues& given, Simulation& simulation) {
+void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simulation& simulation) {
   if (scene.mesh_file.empty()) {
     if (const auto set_motion = scene_by_name(scene.name).set_motion) set_motion(scene.options, simulation);
     return;

@@ -14,14 +14,6 @@ using lostopos::SplitEvent;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;
 
-namespace {
-
-Place at_vertex(Vertex v) {
-  return {{v}, {1.0}, 1};
-}
-
-}  // namespace
-
 void CirculationTransfer::touch(const SurfaceMesh& mesh, Vertex v) {
   touched_.push_back(v);
   for (Edge e : mesh.edges(v)) touched_.push_back(mesh.other_vertex(e, v));
@@ -31,41 +23,41 @@ void CirculationTransfer::match_touched(const SurfaceMesh& mesh) {
   std::ranges::sort(touched_);
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   std::erase_if(touched_, [&mesh](Vertex v) { return !mesh.alive(v); });
-  circulation_.match(mesh, touched_);
+  match(values(), mesh, touched_);
   touched_.clear();
 }
 
 void CirculationTransfer::after_split(const SurfaceMesh& mesh, const SplitEvent& event) {
-  circulation_.assign(event.added, circulation_.mean({{event.ends[0], event.ends[1]}, {0.5, 0.5}, 2}));
-  circulation_.match(mesh, std::span(&event.added, 1));
+  value(event.added) = mean(values(), {{event.ends[0], event.ends[1]}, {0.5, 0.5}, 2});
+  match(values(), mesh, std::span(&event.added, 1));
 }
 
 void CirculationTransfer::before_collapse(const SurfaceMesh& mesh, const CollapseEvent& event) {
   touched_.clear();
   touch(mesh, event.removed);
-  circulation_.assign(event.kept, interpolate(circulation_.mean(at_vertex(event.kept)),
-                                              circulation_.mean(at_vertex(event.removed)), event.t));
+  carried_ = interpolate(value(event.kept), value(event.removed), event.t);
 }
 
-void CirculationTransfer::after_collapse(const SurfaceMesh& mesh, const CollapseEvent&) {
+void CirculationTransfer::after_collapse(const SurfaceMesh& mesh, const CollapseEvent& event) {
+  value(event.kept) = carried_;
   match_touched(mesh);
 }
 
 void CirculationTransfer::after_flip(const SurfaceMesh& mesh, const FlipEvent& event) {
   const std::array<Vertex, 4> corners{event.old_ends[0], event.old_ends[1], event.new_ends[0], event.new_ends[1]};
-  circulation_.match(mesh, corners);
+  match(values(), mesh, corners);
 }
 
 void CirculationTransfer::before_merge(const SurfaceMesh& mesh, const MergeEvent& event) {
   touched_.clear();
   for (const Place& place : event.places)
     for (std::size_t i = 0; i < place.count; ++i) touch(mesh, place.vertices[i]);
-  carried_ = interpolate(circulation_.mean(event.places[0]), circulation_.mean(event.places[1]), event.t);
+  carried_ = interpolate(mean(values(), event.places[0]), mean(values(), event.places[1]), event.t);
 }
 
 void CirculationTransfer::after_merge(const SurfaceMesh& mesh, const MergeEvent& event) {
   if (mesh.alive(event.result)) {
-    circulation_.assign(event.result, carried_);
+    value(event.result) = carried_;
     touch(mesh, event.result);
   }
   match_touched(mesh);
@@ -74,17 +66,17 @@ void CirculationTransfer::after_merge(const SurfaceMesh& mesh, const MergeEvent&
 void CirculationTransfer::before_separation(const SurfaceMesh& mesh, const SeparationEvent& event) {
   touched_.clear();
   touch(mesh, event.vertex);
-  carried_ = circulation_.mean(at_vertex(event.vertex));
+  carried_ = value(event.vertex);
 }
 
 void CirculationTransfer::after_separation(const SurfaceMesh& mesh, const SeparationEvent& event) {
-  circulation_.assign(event.added, carried_);
+  value(event.added) = carried_;
   const std::array<Vertex, 2> copies{event.vertex, event.added};
-  circulation_.match(mesh, copies);  // a new film between the two may give them a pair, and then the neighbours
-  for (Vertex copy : copies) carried_ = interpolate(carried_, circulation_.mean(at_vertex(copy)), 0);
+  match(values(), mesh, copies);  // a new film between the two may give them a pair, and then the neighbours
+  for (Vertex copy : copies) carried_ = interpolate(carried_, value(copy), 0);
   touch(mesh, event.added);
   for (Vertex near : touched_)
-    if (mesh.alive(near)) circulation_.add_missing(mesh, near, carried_);
+    if (mesh.alive(near)) add_missing(values(), mesh, near, carried_);
   match_touched(mesh);
 }
 

@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "FoamSim/sheet/circulation.h"
-#include "LosTopos/remeshing/operation_events.h"
+#include "FoamSim/sheet/circulation_values.h"
 
 namespace foamsim {
 
@@ -12,11 +11,8 @@ namespace foamsim {
 /// comes from that one. Merge: the same between two places, each the mean of its vertices. Separation: both copies keep
 /// the vertex's values, and a neighbour that gains a pair takes the vertex's value. A pair that a vertex gains from
 /// nowhere: see CirculationField::match.
-class CirculationTransfer final : public lostopos::OperationObserver {
+class CirculationTransfer final : public lostopos::CarryPolicy<lostopos::Vertex, VertexCirculation> {
  public:
-  /// `circulation` must outlive this.
-  explicit CirculationTransfer(CirculationField& circulation) : circulation_(circulation) {}
-
   void after_split(const lostopos::SurfaceMesh& mesh, const lostopos::SplitEvent& event) override;
   void before_collapse(const lostopos::SurfaceMesh& mesh, const lostopos::CollapseEvent& event) override;
   void after_collapse(const lostopos::SurfaceMesh& mesh, const lostopos::CollapseEvent& event) override;
@@ -31,9 +27,8 @@ class CirculationTransfer final : public lostopos::OperationObserver {
   // Matches every touched vertex that is left.
   void match_touched(const lostopos::SurfaceMesh& mesh);
 
-  CirculationField& circulation_;
-  CirculationField::VertexValues carried_;  // from the before-event to the after-event
-  std::vector<lostopos::Vertex> touched_;   // whose triangles an operation may change
+  VertexCirculation carried_;              // from the before-event to the after-event
+  std::vector<lostopos::Vertex> touched_;  // whose triangles an operation may change
 };
 
 }  // namespace foamsim

@@ -13,11 +13,11 @@ using lostopos::Triangle;
 using lostopos::Vec3;
 
 void gather_sheet(const lostopos::SurfaceMesh& mesh, const CirculationField& circulation,
-                  std::vector<SheetTriangle>& sheet, std::span<const char> held) {
+                  std::vector<SheetTriangle>& sheet, std::span<const std::uint8_t> solid) {
   sheet.clear();
   sheet.reserve(mesh.triangle_count());
   for (Triangle t : mesh.triangles())
-    if (!is_solid(mesh, t, held)) sheet.push_back({t, mesh.vertices(t), {}});
+    if (!is_solid(t, solid)) sheet.push_back({t, mesh.vertices(t), {}});
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sheet.size(), 512),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i)

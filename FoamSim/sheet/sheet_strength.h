@@ -18,10 +18,10 @@ struct SheetTriangle {
   double mean_circulation() const { return (circulation[0] + circulation[1] + circulation[2]) / 3; }
 };
 
-/// The living triangles in slot order with their circulation; `sheet` is overwritten. Triangles with all corners held
-/// (`held` by vertex slot, may be empty) are a solid, carry no vorticity and are left out.
+/// The living triangles in slot order with their circulation; `sheet` is overwritten. Triangles of a solid (`solid`
+/// by triangle slot, not zero for these; may be empty) carry no vorticity and are left out.
 void gather_sheet(const lostopos::SurfaceMesh& mesh, const CirculationField& circulation,
-                  std::vector<SheetTriangle>& sheet, std::span<const char> held = {});
+                  std::vector<SheetTriangle>& sheet, std::span<const std::uint8_t> solid = {});
 
 /// Sheet strength times area of a triangle with corners x (METHOD "One time step", 3; Da et al. 2015):
 /// γ = −[(x_b − x_a) Γ_c + (x_c − x_b) Γ_a + (x_a − x_c) Γ_b], L³/T.

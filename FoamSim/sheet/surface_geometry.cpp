@@ -79,13 +79,9 @@ double signed_dihedral_angle(const SurfaceMesh& mesh, Edge e, Region r, std::spa
   return std::atan2(along.cross(against).dot(direction), along.dot(against));
 }
 
-bool is_solid(const SurfaceMesh& mesh, Triangle t, std::span<const char> held) {
-  return !held.empty() && std::ranges::all_of(mesh.vertices(t), [held](Vertex v) { return held[v.index()] != 0; });
-}
-
-void SurfaceGeometry::update(const SurfaceMesh& mesh, std::span<const char> held) {
+void SurfaceGeometry::update(const SurfaceMesh& mesh, std::span<const std::uint8_t> solid) {
   list_regions(mesh);
-  measure_triangles(mesh, held);
+  measure_triangles(mesh, solid);
   measure_edges(mesh);
 }
 
@@ -109,7 +105,7 @@ void SurfaceGeometry::list_regions(const SurfaceMesh& mesh) {
   });
 }
 
-void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh, std::span<const char> held) {
+void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh, std::span<const std::uint8_t> solid) {
   areas_.assign(mesh.triangle_slots(), 0.0);
   normals_.resize(mesh.triangle_slots());
   for_each_living<Triangle>(mesh, mesh.triangle_slots(), [&](Triangle t) {
@@ -119,7 +115,7 @@ void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh, std::span<const
   });
   total_area_ = 0;
   for (Triangle t : mesh.triangles())
-    if (!is_solid(mesh, t, held)) total_area_ += areas_[t.index()];
+    if (!is_solid(t, solid)) total_area_ += areas_[t.index()];
 }
 
 void SurfaceGeometry::measure_edges(const SurfaceMesh& mesh) {

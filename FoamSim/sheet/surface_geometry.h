@@ -19,15 +19,15 @@ struct RegionEdgeCurvature {
 class SurfaceGeometry {
  public:
   /// Recomputes everything for the mesh as it is now, in parallel; results do not depend on the number of threads.
-  /// `held` (by vertex slot, may be empty): not zero for vertices that are held.
-  void update(const lostopos::SurfaceMesh& mesh, std::span<const char> held = {});
+  /// `solid` (by triangle slot, may be empty): not zero for triangles of a solid.
+  void update(const lostopos::SurfaceMesh& mesh, std::span<const std::uint8_t> solid = {});
 
   double area(lostopos::Triangle t) const { return areas_[t.index()]; }
   const lostopos::Vec3& unit_normal(lostopos::Triangle t) const { return normals_[t.index()]; }
   double length(lostopos::Edge e) const { return lengths_[e.index()]; }
   /// Mean length of all edges (L).
   double mean_edge_length() const { return mean_edge_length_; }
-  /// Area of all films (L²). Triangles with all corners held are a solid and no film.
+  /// Area of all films (L²); triangles of a solid are none.
   double total_area() const { return total_area_; }
 
   /// The regions at v, ascending.
@@ -45,7 +45,7 @@ class SurfaceGeometry {
   static std::span<const T> row(const std::vector<T>& values, const std::vector<std::size_t>& begin, H h) {
     return {values.data() + begin[h.index()], values.data() + begin[h.index() + 1]};
   }
-  void measure_triangles(const lostopos::SurfaceMesh& mesh, std::span<const char> held);
+  void measure_triangles(const lostopos::SurfaceMesh& mesh, std::span<const std::uint8_t> solid);
   void measure_edges(const lostopos::SurfaceMesh& mesh);
   void list_regions(const lostopos::SurfaceMesh& mesh);
 
@@ -57,8 +57,10 @@ class SurfaceGeometry {
   double mean_edge_length_ = 0, total_area_ = 0;
 };
 
-/// Whether all three corners of t are held: then it is part of a solid. `held`: by vertex slot, or empty.
-bool is_solid(const lostopos::SurfaceMesh& mesh, lostopos::Triangle t, std::span<const char> held);
+/// Whether t is part of a solid. `solid`: by triangle slot, not zero for these (see SurfaceTracker::solid); or empty.
+inline bool is_solid(lostopos::Triangle t, std::span<const std::uint8_t> solid) {
+  return !solid.empty() && solid[t.index()] != 0;
+}
 
 /// The dihedral angle of region r's boundary at edge e (rad, in (−π, π]), signed, positive where r is convex, from the
 /// triangles' unit normals; 0 unless exactly two triangles bound r there.

@@ -2,7 +2,7 @@
 
 namespace lostopos {
 
-Motion::Motion(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held)
+Motion::Motion(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held)
     : starts_(mesh.positions()),
       predicted_(predicted),
       held_(held),
@@ -22,12 +22,12 @@ Vec3 Motion::asked(Vertex v) const {
 }
 
 double Motion::mobility(Vertex v, const Vec3& direction) const {
-  return hold(v) == hold_none ? 1 : free_part(hold(v), direction).squaredNorm();
+  return hold(v) == Hold::none ? 1 : free_part(hold(v), direction).squaredNorm();
 }
 
 void Motion::set_end(Vertex v, const Vec3& x) {
   ends_[v.index()] = x;
-  if (const char hold_of_v = hold(v); hold_of_v != hold_none) {
+  if (const Hold hold_of_v = hold(v); hold_of_v != Hold::none) {
     const Vec3 prescribed = asked(v);
     for (int i = 0; i < 3; ++i)
       if (holds(hold_of_v, i)) ends_[v.index()][i] = prescribed[i];

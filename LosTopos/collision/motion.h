@@ -14,7 +14,7 @@ class Motion {
  public:
   /// `predicted` and `held` (see mesh/hold.h) are indexed by vertex handle; an empty `held` holds none. The spans must
   /// outlive this.
-  Motion(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held);
+  Motion(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held);
 
   /// All vertices are asked to go, and end, at start + fraction (predicted - start).
   void restart(double fraction);
@@ -24,7 +24,7 @@ class Motion {
   Vec3 displacement(Vertex v) const { return ends_[v.index()] - starts_[v.index()]; }
   /// Where v is asked to go (L).
   Vec3 asked(Vertex v) const;
-  char hold(Vertex v) const { return held_.empty() ? hold_none : held_[v.index()]; }
+  Hold hold(Vertex v) const { return held_.empty() ? Hold::none : held_[v.index()]; }
   /// Held in all coordinates.
   bool held(Vertex v) const { return is_held(hold(v)); }
   double inverse_mass(Vertex v) const { return held(v) ? 0 : 1; }
@@ -44,7 +44,7 @@ class Motion {
 
  private:
   std::span<const Vec3> starts_, predicted_;
-  std::span<const char> held_;
+  std::span<const Hold> held_;
   double fraction_ = 1;
   std::vector<Vec3> ends_;
   std::vector<char> is_changed_;

@@ -13,7 +13,7 @@
 namespace lostopos {
 namespace {
 
-void require_usable(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+void require_usable(const SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
                     const MoveOptions& options) {
   if (predicted.size() != mesh.vertex_slots() || (!held.empty() && held.size() != mesh.vertex_slots())) {
     throw base::InputError("cannot move the surface: " + std::to_string(predicted.size()) +
@@ -38,7 +38,7 @@ void require_usable(const SurfaceMesh& mesh, std::span<const Vec3> predicted, st
 // Makes one motion safe, over several attempts at fractions of it.
 class SafeMove {
  public:
-  SafeMove(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held, const MoveOptions& options)
+  SafeMove(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held, const MoveOptions& options)
       : options_(options),
         motion_(mesh, predicted, held),
         search_(mesh, motion_, options.proximity_epsilon, statistics_) {}
@@ -143,7 +143,7 @@ MoveStatistics& MoveStatistics::operator+=(const MoveStatistics& other) {
   return *this;
 }
 
-MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
                        const MoveOptions& options) {
   require_usable(mesh, predicted, held, options);
   SafeMove move(mesh, predicted, held, options);
@@ -157,7 +157,7 @@ MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::
   return {move.statistics(), fraction};
 }
 
-MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
                         const MoveOptions& options) {
   require_usable(mesh, predicted, held, options);
   SafeMove move(mesh, predicted, held, options);

@@ -7,6 +7,7 @@
 
 #include "LosTopos/collision/contact.h"
 #include "LosTopos/error.h"
+#include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace lostopos {
@@ -79,12 +80,12 @@ class CollisionFailure : public MotionError {
 /// Throws InputError when a span has the wrong size or an option is out of range, MotionError for a prediction that is
 /// not finite, and CollisionFailure when the smallest step still collides (a surface that is in contact with itself
 /// at the start always does, if it is asked to move there); the mesh is then unchanged.
-MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
                        const MoveOptions& options);
 
 /// The same when nothing collides on the way (repulsions aside): else the surface stays where it is, and the result's
 /// fraction is 0.
-MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const char> held,
+MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
                         const MoveOptions& options);
 
 }  // namespace lostopos

@@ -13,7 +13,7 @@ namespace lostopos {
 struct MeshFormat {
   std::string_view extension;    ///< with the dot, in small letters
   std::string_view description;  ///< for lists and help texts
-  bool keeps_circulation;        ///< circulation, held vertices and the declared number of regions
+  bool keeps_pair_arrays;        ///< numbers of region pairs, held vertices and the declared number of regions
   bool keeps_arrays;             ///< vertex and triangle arrays
   SurfaceData (*read)(const std::filesystem::path&);
   void (*write)(const std::filesystem::path&, const SurfaceData&);

@@ -28,6 +28,9 @@ SurfaceData read_rec(const std::filesystem::path& path);
 /// file cannot be written. The tracker flavour leaves out circulation and held vertices.
 void write_rec(const std::filesystem::path& path, const SurfaceData& data, RecFlavour flavour = RecFlavour::SoapFilm);
 
+/// The name of the array of vertices and region pairs that the soap-film flavour has.
+inline constexpr const char* rec_pair_array = "circulation";
+
 inline constexpr double largest_rec_bytes = 0x1p36;  ///< 64 GiB
 
 /// Reads and writes .arec: the tracker flavour as text, numbers divided by white space. Errors name the line.

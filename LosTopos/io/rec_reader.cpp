@@ -87,17 +87,19 @@ class RecReader {
 
   void read_vertices_with_circulation() {
     PairsAtVertices pairs(data_, layout_.vertices);
-    data_.circulation.offsets.reserve(layout_.vertices + 1);
-    data_.circulation.offsets.push_back(0);
+    PairArray& array = data_.pair_arrays.emplace_back();
+    array.name = rec_pair_array;
+    array.offsets.reserve(layout_.vertices + 1);
+    array.offsets.push_back(0);
     for (std::uint64_t v = 0; v < layout_.vertices; ++v) {
       data_.positions.push_back(read_position("vertex", v));
-      read_circulation(v, pairs.at(v));
-      data_.circulation.offsets.push_back(data_.circulation.values.size());
+      read_circulation(v, pairs.at(v), array.values);
+      array.offsets.push_back(array.values.size());
     }
   }
 
   // One vertex' n × n block, of which the part above the diagonal counts. `meet`: the pairs there, ascending.
-  void read_circulation(std::uint64_t vertex, std::span<const RegionPair> meet) {
+  void read_circulation(std::uint64_t vertex, std::span<const RegionPair> meet, std::vector<PairValue>& values) {
     auto next_meeting = meet.begin();
     for (std::uint64_t i = 0; i < layout_.regions; ++i) {
       bytes_.skip((i + 1) * sizeof(double));
@@ -111,7 +113,7 @@ class RecReader {
         if (!std::isfinite(value))
           reject("the circulation of regions " + std::to_string(i) + " and " + std::to_string(j) + " is not finite",
                  "vertex", vertex);
-        data_.circulation.values.push_back({pair.first, pair.second, value});
+        values.push_back({pair.first, pair.second, value});
       }
     }
   }

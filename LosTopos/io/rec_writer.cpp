@@ -41,8 +41,7 @@ class RecWriter {
 
   // Row by row: a whole block may not fit into memory.
   void put_circulation(std::size_t v) {
-    const std::span<const PairValue> values =
-        data_.circulation.empty() ? std::span<const PairValue>() : data_.circulation.at(v);
+    const std::span<const PairValue> values = pairs_ == nullptr ? std::span<const PairValue>() : pairs_->at(v);
     auto next = values.begin();
     for (std::uint32_t i = 0; i < regions_; ++i) {
       for (std::uint32_t j = 0; j < regions_; ++j) {
@@ -70,6 +69,7 @@ class RecWriter {
   std::ostream& out_;
   const SurfaceData& data_;
   std::uint32_t regions_;
+  const PairArray* pairs_ = find_pair_array(data_, rec_pair_array);  // null: zeros are written
   RecFlavour flavour_;
   std::string record_;
 };

@@ -17,19 +17,18 @@ void require(bool good, const std::string& problem) {
   if (!good) throw base::InputError(problem);
 }
 
-void validate_circulation(const SurfaceData& data) {
-  const auto& [offsets, values] = data.circulation;
-  if (offsets.empty() && values.empty()) return;
+void validate_pairs(const SurfaceData& data, const PairArray& array) {
+  const auto& [name, offsets, values] = array;
   require(offsets.size() == data.positions.size() + 1 && offsets.front() == 0 && offsets.back() == values.size() &&
               std::ranges::is_sorted(offsets),
-          "circulation: the offsets have to rise from 0 to the number of values, one more than there are vertices");
+          name + ": the offsets have to rise from 0 to the number of values, one more than there are vertices");
   for (std::size_t v = 0; v < data.positions.size(); ++v) {
-    const auto mine = data.circulation.at(v);
+    const auto mine = array.at(v);
     for (std::size_t i = 0; i < mine.size(); ++i) {
       const auto [p, q, value] = mine[i];
       const bool rising = i == 0 || std::pair(mine[i - 1].p, mine[i - 1].q) < std::pair(p, q);
       require(p < q && q.index() <= largest_region && rising && std::isfinite(value),
-              "circulation at vertex " + std::to_string(v) + ", pair (" + std::to_string(p.index()) + ", " +
+              name + " at vertex " + std::to_string(v) + ", pair (" + std::to_string(p.index()) + ", " +
                   std::to_string(q.index()) + "): pairs have to be p < q, ascending, each once, with a finite value");
     }
   }
@@ -42,6 +41,19 @@ void validate_arrays(const std::vector<DataArray>& arrays, std::size_t elements,
             "array '" + array.name + "' has " + std::to_string(array.values.size()) + " numbers; " +
                 std::to_string(array.components) + " for each of the " + std::to_string(elements) + " " + of +
                 " would be right");
+}
+
+// One array for each column of numbers, with the values of the living elements.
+template <class Range>
+void append_attributes(std::span<NamedAttributeColumn* const> columns, const Range& living,
+                       std::vector<DataArray>& arrays) {
+  for (const NamedAttributeColumn* column : columns) {
+    if (column->components() == 0) continue;
+    DataArray array{column->name(), column->components(), {}};
+    for (const auto element : living)
+      for (int i = 0; i < column->components(); ++i) array.values.push_back(column->number(element.index(), i));
+    arrays.push_back(std::move(array));
+  }
 }
 
 }  // namespace
@@ -59,7 +71,7 @@ void validate(const SurfaceData& data) {
     require_none(corner_problem({a, b, c}, data.positions.size()), "triangle", t);
     require_none(label_problem(data.labels[t].p.index(), data.labels[t].q.index()), "triangle", t);
   }
-  validate_circulation(data);
+  for (const PairArray& array : data.pair_arrays) validate_pairs(data, array);
   for (std::size_t i = 0; i < data.held.size(); ++i) {
     require_none(position_problem(data.held[i].position), "held vertex", i);
     require(data.held[i].vertex < data.positions.size(),
@@ -72,7 +84,8 @@ void validate(const SurfaceData& data) {
 std::uint32_t region_count(const SurfaceData& data) {
   std::uint32_t count = data.declared_regions;
   for (const Labels& labels : data.labels) count = std::max({count, labels.p.index() + 1, labels.q.index() + 1});
-  for (const PairValue& pair : data.circulation.values) count = std::max(count, pair.q.index() + 1);
+  for (const PairArray& array : data.pair_arrays)
+    for (const PairValue& pair : array.values) count = std::max(count, pair.q.index() + 1);
   return count;
 }
 
@@ -101,6 +114,18 @@ SurfaceData from_mesh(const SurfaceMesh& mesh) {
     data.labels.push_back(mesh.labels(t));
   }
   return data;
+}
+
+SurfaceData from_mesh_with_attributes(const SurfaceMesh& mesh) {
+  SurfaceData data = from_mesh(mesh);
+  append_attributes(mesh.named_vertex_attributes(), mesh.vertices(), data.vertex_arrays);
+  append_attributes(mesh.named_triangle_attributes(), mesh.triangles(), data.triangle_arrays);
+  return data;
+}
+
+const PairArray* find_pair_array(const SurfaceData& data, std::string_view name) {
+  const auto found = std::ranges::find(data.pair_arrays, name, &PairArray::name);
+  return found == data.pair_arrays.end() ? nullptr : &*found;
 }
 
 std::vector<std::uint32_t> compact_numbers(const SurfaceMesh& mesh) {

@@ -4,30 +4,31 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace lostopos {
 
-/// Γ^{pq} of one region pair at one vertex, with p < q (L²/T).
+/// A value of one region pair at one vertex, for the order p < q.
 struct PairValue {
   Region p, q;
   double value;
   bool operator==(const PairValue&) const = default;
 };
 
-/// Sparse values per vertex and region pair: those of vertex v are values[offsets[v]] .. values[offsets[v + 1] - 1],
-/// ascending by (p, q). Without any data both are empty.
-struct PairValues {
-  std::vector<std::size_t> offsets;  ///< one more than there are vertices, or none
+/// Named sparse numbers per vertex and region pair: those of vertex v are values[offsets[v]] .. values[offsets[v + 1] −
+/// 1], ascending by (p, q).
+struct PairArray {
+  std::string name;
+  std::vector<std::size_t> offsets;  ///< one more than there are vertices
   std::vector<PairValue> values;
 
-  bool empty() const { return offsets.empty(); }
   std::span<const PairValue> at(std::size_t vertex) const {
     return std::span(values).subspan(offsets[vertex], offsets[vertex + 1] - offsets[vertex]);
   }
-  bool operator==(const PairValues&) const = default;
+  bool operator==(const PairArray&) const = default;
 };
 
 /// A vertex held by a wire or a solid, and where it is held.
@@ -52,12 +53,15 @@ struct SurfaceData {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Labels> labels;              ///< one a triangle
   std::uint32_t declared_regions = 0;      ///< regions 0 .. n - 1 may occur (.rec); 0: what the labels say
-  PairValues circulation;                  ///< .rec
   std::vector<HeldVertex> held;            ///< .rec
+  std::vector<PairArray> pair_arrays;      ///< .rec: one
   std::vector<DataArray> vertex_arrays;    ///< .vtp
   std::vector<DataArray> triangle_arrays;  ///< .vtp
   bool operator==(const SurfaceData&) const = default;
 };
+
+/// The array of that name; null when there is none.
+const PairArray* find_pair_array(const SurfaceData& data, std::string_view name);
 
 /// Labels of triangles from a file that has none: the surface of one bubble, region 1, with its normals to the air.
 inline constexpr Labels default_labels{Region{1}, air};
@@ -72,15 +76,17 @@ inline constexpr std::uint32_t largest_region = 0x7fffffff;
 /// the limits. A triangle may occur twice. What a reader returns is valid, and writers refuse what is not.
 void validate(const SurfaceData& data);
 
-/// The smallest n such that all regions of labels and circulation, and `declared_regions`, are below n.
+/// The smallest n such that all regions of labels and pair arrays, and `declared_regions`, are below n.
 std::uint32_t region_count(const SurfaceData& data);
 
 /// Vertex i of the data becomes Vertex(i), triangle i Triangle(i). Throws InputError when the data is not valid.
 SurfaceMesh to_mesh(const SurfaceData& data);
 
-/// The living vertices and triangles in the order of their slots, without gaps; no arrays, circulation or held
-/// vertices.
+/// The living vertices and triangles in the order of their slots, without gaps; no arrays or held vertices.
 SurfaceData from_mesh(const SurfaceMesh& mesh);
+
+/// The same with every named attribute of the mesh that is a number, or several, as an array of its name.
+SurfaceData from_mesh_with_attributes(const SurfaceMesh& mesh);
 
 /// Number of each vertex in `from_mesh`'s data, indexed by handle; `Vertex::invalid_index` for dead slots.
 std::vector<std::uint32_t> compact_numbers(const SurfaceMesh& mesh);

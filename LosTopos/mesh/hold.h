@@ -1,37 +1,49 @@
 #pragma once
 
-#include "LosTopos/mesh/surface_mesh.h"
+#include "LosTopos/mesh/attribute_codec.h"
+#include "LosTopos/vec3.h"
 
 namespace lostopos {
 
-/// What of a vertex's motion is prescribed, as bits of a char: such coordinates end where the motion asks them to, and
-/// neither collisions nor remeshing change them. A vertex on a wall x = const has `hold_x`; one in the crease between
-/// two walls has the bits of both; `hold_all` holds the whole vertex (a wire).
-inline constexpr char hold_none = 0, hold_all = 1, hold_x = 2, hold_y = 4, hold_z = 8;
-inline constexpr char hold_xyz = hold_x | hold_y | hold_z;
+/// What of a vertex's motion is prescribed, a set of coordinates: these end where the motion asks them to, and neither
+/// collisions nor remeshing change them. A vertex on a wall x = const has `Hold::x`; one in the crease between two
+/// walls has both of theirs; `Hold::all` holds the whole vertex (a wire).
+enum class Hold : std::uint8_t { none = 0, x = 1, y = 2, z = 4, all = 7 };
 
-/// The coordinates alone: `hold_all` as the three bits.
-constexpr char held_coordinates(char hold) {
-  return (hold & hold_all) != 0 ? hold_xyz : static_cast<char>(hold & hold_xyz);
+/// What either holds.
+constexpr Hold operator|(Hold a, Hold b) {
+  return static_cast<Hold>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+/// What both hold.
+constexpr Hold operator&(Hold a, Hold b) {
+  return static_cast<Hold>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
+}
+constexpr Hold& operator|=(Hold& a, Hold b) {
+  return a = a | b;
+}
+
+/// That of coordinate i (0, 1, 2) alone.
+constexpr Hold hold_of_coordinate(int i) {
+  return static_cast<Hold>(1U << static_cast<unsigned>(i));
 }
 /// Whether all of the vertex is held.
-constexpr bool is_held(char hold) {
-  return held_coordinates(hold) == hold_xyz;
+constexpr bool is_held(Hold hold) {
+  return hold == Hold::all;
 }
 /// Whether coordinate i (0, 1, 2) is held.
-constexpr bool holds(char hold, int i) {
-  return (held_coordinates(hold) & (hold_x << i)) != 0;
+constexpr bool holds(Hold hold, int i) {
+  return (hold & hold_of_coordinate(i)) != Hold::none;
 }
-constexpr bool holds_all_of(char hold, char other) {
-  return (held_coordinates(other) & ~held_coordinates(hold)) == 0;
+constexpr bool holds_all_of(Hold hold, Hold other) {
+  return (hold & other) == other;
 }
-/// What either of two holds.
-constexpr char hold_union(char a, char b) {
-  return ((a | b) & hold_all) != 0 ? hold_all : static_cast<char>(a | b);
+/// How many coordinates are held.
+constexpr int held_count(Hold hold) {
+  return (holds(hold, 0) ? 1 : 0) + (holds(hold, 1) ? 1 : 0) + (holds(hold, 2) ? 1 : 0);
 }
 
 /// A displacement without its held coordinates.
-inline Vec3 free_part(char hold, Vec3 d) {
+inline Vec3 free_part(Hold hold, Vec3 d) {
   for (int i = 0; i < 3; ++i)
     if (holds(hold, i)) d[i] = 0;
   return d;
@@ -39,11 +51,19 @@ inline Vec3 free_part(char hold, Vec3 d) {
 
 /// The held coordinates that two points have in common: both hold them, at the same value to the bit. So two vertices
 /// in one wall share its coordinate, two in opposite walls do not.
-inline char common_hold(char a, const Vec3& at_a, char b, const Vec3& at_b) {
-  char common = 0;
+inline Hold common_hold(Hold a, const Vec3& at_a, Hold b, const Vec3& at_b) {
+  Hold common = Hold::none;
   for (int i = 0; i < 3; ++i)
-    if (holds(a, i) && holds(b, i) && at_a[i] == at_b[i]) common = static_cast<char>(common | (hold_x << i));
+    if (holds(a, i) && holds(b, i) && at_a[i] == at_b[i]) common |= hold_of_coordinate(i);
   return common;
 }
+
+/// As a number: 1 for x, 2 for y, 4 for z, added up.
+template <>
+struct AttributeCodec<Hold> : PlainCodec<Hold> {
+  static std::string type() { return "hold"; }
+  static constexpr int components = 1;
+  static double number(Hold value, int) { return static_cast<double>(value); }
+};
 
 }  // namespace lostopos

@@ -55,45 +55,85 @@ void require_lists_point_to(const Lists& lists, const std::vector<char>& owners,
   }
 }
 
+void require_lengths(const std::vector<StoredAttribute>& attributes, std::size_t slots, const char* what) {
+  for (const auto& [name, values] : attributes)
+    if (!values || values->size() != slots)
+      throw MeshError(std::string("mesh state: ") + what + " attribute '" + name + "' has not a value for each slot");
+}
+
 }  // namespace
 
-SurfaceMesh SurfaceMesh::clone() const {
-  return from_state(state());
-}
-
-SurfaceMesh::State SurfaceMesh::state() const {
-  return {vertices_,      edges_,          triangles_,         positions_,      vertex_edges_, vertex_triangles_,
-          edge_vertices_, edge_triangles_, triangle_vertices_, triangle_edges_, labels_};
-}
-
-SurfaceMesh SurfaceMesh::from_state(const State& s) {
+void require_consistent(const SurfaceMesh::State& s) {
   const std::size_t nv = s.vertices.slots(), ne = s.edges.slots(), nt = s.triangles.slots();
   if (s.positions.size() != nv || s.vertex_edges.size() != nv || s.vertex_triangles.size() != nv ||
       s.edge_vertices.size() != ne || s.edge_triangles.size() != ne || s.triangle_vertices.size() != nt ||
       s.triangle_edges.size() != nt || s.labels.size() != nt)
     throw MeshError("mesh state: its arrays differ in length");
+  auto vertex_lives = [&s](Vertex v) { return s.vertices.is_alive(v.index()); };
+  auto edge_lives = [&s](Edge e) { return s.edges.is_alive(e.index()); };
+  auto triangle_lives = [&s](Triangle t) { return s.triangles.is_alive(t.index()); };
+  require_lists_point_to(s.vertex_edges, s.vertices.alive(), edge_lives, "vertex");
+  require_lists_point_to(s.vertex_triangles, s.vertices.alive(), triangle_lives, "vertex");
+  require_lists_point_to(s.edge_vertices, s.edges.alive(), vertex_lives, "edge");
+  require_lists_point_to(s.edge_triangles, s.edges.alive(), triangle_lives, "edge");
+  require_lists_point_to(s.triangle_vertices, s.triangles.alive(), vertex_lives, "triangle");
+  require_lists_point_to(s.triangle_edges, s.triangles.alive(), edge_lives, "triangle");
+  require_lengths(s.vertex_attributes, nv, "vertex");
+  require_lengths(s.edge_attributes, ne, "edge");
+  require_lengths(s.triangle_attributes, nt, "triangle");
+}
+
+SurfaceMesh SurfaceMesh::clone() const {
+  State copy = state();
+  for (auto* attributes : {&copy.vertex_attributes, &copy.edge_attributes, &copy.triangle_attributes})
+    attributes->clear();
+  return from_state(copy);
+}
+
+SurfaceMesh::State SurfaceMesh::state() const {
+  State copy;
+  save(copy);
+  return copy;
+}
+
+void SurfaceMesh::save(State& s) const {
+  s.vertices = vertices_;
+  s.edges = edges_;
+  s.triangles = triangles_;
+  s.positions = positions_;
+  s.vertex_edges = vertex_edges_;
+  s.vertex_triangles = vertex_triangles_;
+  s.edge_vertices = edge_vertices_;
+  s.edge_triangles = edge_triangles_;
+  s.triangle_vertices = triangle_vertices_;
+  s.triangle_edges = triangle_edges_;
+  s.labels = labels_;
+  vertex_attributes_->save(s.vertex_attributes);
+  edge_attributes_->save(s.edge_attributes);
+  triangle_attributes_->save(s.triangle_attributes);
+}
+
+void SurfaceMesh::restore(const State& s) {
+  vertices_ = s.vertices;
+  edges_ = s.edges;
+  triangles_ = s.triangles;
+  positions_ = s.positions;
+  vertex_edges_ = s.vertex_edges;
+  vertex_triangles_ = s.vertex_triangles;
+  edge_vertices_ = s.edge_vertices;
+  edge_triangles_ = s.edge_triangles;
+  triangle_vertices_ = s.triangle_vertices;
+  triangle_edges_ = s.triangle_edges;
+  labels_ = s.labels;
+  vertex_attributes_->restore(s.vertex_attributes, vertices_.slots());
+  edge_attributes_->restore(s.edge_attributes, edges_.slots());
+  triangle_attributes_->restore(s.triangle_attributes, triangles_.slots());
+}
+
+SurfaceMesh SurfaceMesh::from_state(const State& state) {
+  require_consistent(state);
   SurfaceMesh mesh;
-  mesh.vertices_ = s.vertices;
-  mesh.edges_ = s.edges;
-  mesh.triangles_ = s.triangles;
-  auto lives = [&mesh](auto element) { return mesh.alive(element); };
-  require_lists_point_to(s.vertex_edges, s.vertices.alive(), lives, "vertex");
-  require_lists_point_to(s.vertex_triangles, s.vertices.alive(), lives, "vertex");
-  require_lists_point_to(s.edge_vertices, s.edges.alive(), lives, "edge");
-  require_lists_point_to(s.edge_triangles, s.edges.alive(), lives, "edge");
-  require_lists_point_to(s.triangle_vertices, s.triangles.alive(), lives, "triangle");
-  require_lists_point_to(s.triangle_edges, s.triangles.alive(), lives, "triangle");
-  mesh.positions_ = s.positions;
-  mesh.vertex_edges_ = s.vertex_edges;
-  mesh.vertex_triangles_ = s.vertex_triangles;
-  mesh.edge_vertices_ = s.edge_vertices;
-  mesh.edge_triangles_ = s.edge_triangles;
-  mesh.triangle_vertices_ = s.triangle_vertices;
-  mesh.triangle_edges_ = s.triangle_edges;
-  mesh.labels_ = s.labels;
-  mesh.vertex_attributes_->resize(nv);
-  mesh.edge_attributes_->resize(ne);
-  mesh.triangle_attributes_->resize(nt);
+  mesh.restore(state);
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "LosTopos/mesh/attribute.h"
+#include "LosTopos/mesh/carry.h"
 #include "LosTopos/mesh/element_range.h"
 #include "LosTopos/mesh/handles.h"
 #include "LosTopos/mesh/slot_pool.h"
@@ -25,7 +26,8 @@ class SurfaceMesh {
   using TriangleList = boost::container::small_vector<Triangle, 8>;
   using EdgeTriangleList = boost::container::small_vector<Triangle, 2>;
 
-  /// Everything that determines the mesh to the bit: slots, gaps, order of incidence. For checkpoints.
+  /// Everything that determines the mesh to the bit: slots, gaps, order of incidence, and the values of the named
+  /// attributes. For checkpoints, and for steps that can be undone.
   struct State;
 
   SurfaceMesh();
@@ -38,8 +40,15 @@ class SurfaceMesh {
   /// A copy of geometry, connectivity and labels; attributes stay with the original.
   SurfaceMesh clone() const;
   State state() const;
-  /// Throws MeshError when the state is not consistent.
+  /// Throws MeshError when the state is not consistent. The attributes' values wait for attributes of their names.
   static SurfaceMesh from_state(const State& state);
+  /// The same as `state`, into one that is there, whose memory is used again.
+  void save(State& state) const;
+  /// Becomes as the state says, in place: named attributes get their values back, those that the state does not know
+  /// their initial ones; values of names that are not here wait. Attributes without a name keep what is in their slots.
+  /// `state` must be consistent, as those of `save` and `state` are. Throws MeshError when an attribute's type or
+  /// length does not fit; the mesh is then of no use.
+  void restore(const State& state);
 
   /// @name Building
   ///@{
@@ -102,7 +111,23 @@ class SurfaceMesh {
   ///@}
 
   /// @name Attributes and memory
+  /// With a name, values are carried through operations by `policy` (see carry.h), and are saved and written; the name
+  /// is the only one of its kind on this mesh, else MeshError is thrown. Values that wait under it (see `restore`) are
+  /// taken, where `initial` is given to the others. Without a name they are working memory that nothing carries.
   ///@{
+  template <class T, class Policy>
+  VertexAttribute<T> add_vertex_attribute(std::string name, Policy policy, T initial = T()) {
+    return {vertex_attributes_, std::move(name), carry::make_policy<Vertex, T>(std::move(policy)), std::move(initial)};
+  }
+  template <class T, class Policy>
+  EdgeAttribute<T> add_edge_attribute(std::string name, Policy policy, T initial = T()) {
+    return {edge_attributes_, std::move(name), carry::make_policy<Edge, T>(std::move(policy)), std::move(initial)};
+  }
+  template <class T, class Policy>
+  TriangleAttribute<T> add_triangle_attribute(std::string name, Policy policy, T initial = T()) {
+    return {triangle_attributes_, std::move(name), carry::make_policy<Triangle, T>(std::move(policy)),
+            std::move(initial)};
+  }
   template <class T>
   VertexAttribute<T> add_vertex_attribute(T initial = T()) {
     return VertexAttribute<T>(vertex_attributes_, std::move(initial));
@@ -114,6 +139,16 @@ class SurfaceMesh {
   template <class T>
   TriangleAttribute<T> add_triangle_attribute(T initial = T()) {
     return TriangleAttribute<T>(triangle_attributes_, std::move(initial));
+  }
+  /// The named attributes, in the order in which they were added, for writers.
+  std::span<NamedAttributeColumn* const> named_vertex_attributes() const { return vertex_attributes_->named(); }
+  std::span<NamedAttributeColumn* const> named_triangle_attributes() const { return triangle_attributes_->named(); }
+  /// Tells the named attributes of an operation; to be called by what carries it out, before and after.
+  template <class Event>
+  void carry_attributes(void (OperationObserver::*hook)(const SurfaceMesh&, const Event&), const Event& event) {
+    vertex_attributes_->carry(hook, *this, event);
+    edge_attributes_->carry(hook, *this, event);
+    triangle_attributes_->carry(hook, *this, event);
   }
   /// Closes the gaps that removed elements left and renumbers all handles in slot order; attributes follow.
   void compact();
@@ -153,6 +188,10 @@ struct SurfaceMesh::State {
   std::vector<std::array<Vertex, 3>> triangle_vertices;
   std::vector<std::array<Edge, 3>> triangle_edges;
   std::vector<Labels> labels;
+  std::vector<StoredAttribute> vertex_attributes, edge_attributes, triangle_attributes;
 };
+
+/// Throws MeshError when the lengths of the state's arrays differ, or a list refers to an element that is not alive.
+void require_consistent(const SurfaceMesh::State& state);
 
 }  // namespace lostopos

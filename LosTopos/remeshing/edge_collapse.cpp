@@ -26,10 +26,10 @@ bool has_edge(const SurfaceMesh& mesh, Triangle t, Edge e) {
 }
 
 // The end that is held less, if one is, goes to where the other is held as well: it leaves no wall that it is in.
-bool stays_in_walls(const SurfaceMesh& mesh, Vertex a, char hold_a, Vertex b, char hold_b) {
-  if (hold_a == hold_none || hold_b == hold_none) return true;
-  const char common = common_hold(hold_a, mesh.position(a), hold_b, mesh.position(b));
-  return common == held_coordinates(hold_a) || common == held_coordinates(hold_b);
+bool stays_in_walls(const SurfaceMesh& mesh, Vertex a, Hold hold_a, Vertex b, Hold hold_b) {
+  if (hold_a == Hold::none || hold_b == Hold::none) return true;
+  const Hold common = common_hold(hold_a, mesh.position(a), hold_b, mesh.position(b));
+  return common == hold_a || common == hold_b;
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ bool stays_in_walls(const SurfaceMesh& mesh, Vertex a, char hold_a, Vertex b, ch
 // Which end stays, and where between the two.
 std::optional<Refusal> EdgeCollapse::choose_ends(Edge e) {
   const auto [a, b] = c_.mesh.vertices(e);
-  const char hold_a = c_.held[a], hold_b = c_.held[b];
+  const Hold hold_a = c_.held[a], hold_b = c_.held[b];
   if (is_held(hold_a) && is_held(hold_b)) return Refusal::held;
   if (!stays_in_walls(c_.mesh, a, hold_a, b, hold_b)) return Refusal::held;
   const bool more_a = !holds_all_of(hold_b, hold_a), more_b = !holds_all_of(hold_a, hold_b);

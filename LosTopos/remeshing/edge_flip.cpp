@@ -1,7 +1,6 @@
 #include "LosTopos/remeshing/edge_flip.h"
 
 #include <Eigen/Geometry>
-#include <bit>
 
 #include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
@@ -41,9 +40,9 @@ PlannedTriangle planned_triangle(const SurfaceMesh& mesh, const std::array<Verte
 }
 
 // Between two walls: another edge would cut the crease off.
-bool is_in_crease(const SurfaceMesh& mesh, Vertex a, char hold_a, Vertex b, char hold_b) {
-  const char common = common_hold(hold_a, mesh.position(a), hold_b, mesh.position(b));
-  return std::popcount(static_cast<unsigned char>(common)) >= 2;
+bool is_in_crease(const SurfaceMesh& mesh, Vertex a, Hold hold_a, Vertex b, Hold hold_b) {
+  const Hold common = common_hold(hold_a, mesh.position(a), hold_b, mesh.position(b));
+  return held_count(common) >= 2;
 }
 
 }  // namespace

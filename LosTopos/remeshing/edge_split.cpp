@@ -40,7 +40,7 @@ std::optional<Refusal> EdgeSplit::plan_at(Edge e, const Vec3& position) {
 Vec3 EdgeSplit::in_common_walls(Edge e, Vec3 position) const {
   const auto [a, b] = c_.mesh.vertices(e);
   const Vec3& x = c_.mesh.position(a);
-  const char common = common_hold(c_.held[a], x, c_.held[b], c_.mesh.position(b));
+  const Hold common = common_hold(c_.held[a], x, c_.held[b], c_.mesh.position(b));
   for (int i = 0; i < 3; ++i)
     if (holds(common, i)) position[i] = x[i];
   return position;

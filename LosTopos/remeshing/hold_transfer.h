@@ -1,30 +1,30 @@
 #pragma once
 
 #include "LosTopos/mesh/hold.h"
-#include "LosTopos/remeshing/operation_events.h"
+#include "LosTopos/mesh/surface_mesh.h"
 
 namespace lostopos {
 
-/// The held coordinates that all vertices of the place have in common, see common_hold for two points.
-char common_hold(const SurfaceMesh& mesh, const VertexAttribute<char>& held, const Place& place);
+/// The held coordinates that all vertices of the place have in common, see common_hold for two points. `held`: by
+/// vertex slot.
+Hold common_hold(const SurfaceMesh& mesh, std::span<const Hold> held, const Place& place);
 
-/// What is held of every vertex (see mesh/hold.h), handed on through the operations: the vertex of a split edge holds
-/// what both ends hold in common, so that walls, creases and wires' ends stay what they are; two vertices that become
-/// one hold what either held; copies hold the same.
-class HoldTransfer final : public OperationObserver {
+/// How what is held of every vertex (see mesh/hold.h) follows the operations: the vertex of a split edge holds what
+/// both ends hold in common, so that walls, creases and wires' ends stay what they are; two vertices that become one
+/// hold what either held; copies hold the same.
+class HoldTransfer final : public CarryPolicy<Vertex, Hold> {
  public:
-  explicit HoldTransfer(SurfaceMesh& mesh) : held(mesh.add_vertex_attribute<char>(hold_none)) {}
-
   void before_split(const SurfaceMesh& mesh, const SplitEvent& event) override;
   void after_split(const SurfaceMesh& mesh, const SplitEvent& event) override;
   void before_merge(const SurfaceMesh& mesh, const MergeEvent& event) override;
   void after_merge(const SurfaceMesh& mesh, const MergeEvent& event) override;
   void after_separation(const SurfaceMesh& mesh, const SeparationEvent& event) override;
 
-  VertexAttribute<char> held;
-
  private:
-  char next_ = hold_none;  // of the vertex that the operation under way makes
+  Hold next_ = Hold::none;  // of the vertex that the operation under way makes
 };
+
+/// The attribute "hold" of a mesh.
+VertexAttribute<Hold> add_hold_attribute(SurfaceMesh& mesh);
 
 }  // namespace lostopos

@@ -64,7 +64,7 @@ Eigen::Matrix3d normal_quadric(const SurfaceMesh& mesh, Vertex v) {
 
 // The free part of d without its components along the gradients of the regions' volumes: Gram–Schmidt, for full
 // accuracy.
-Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, char hold, ChangePlan& plan, Vec3 d) {
+Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, Hold hold, ChangePlan& plan, Vec3 d) {
   // What is left of a gradient after the others (on a border the three sum up to zero) and counts as rounding.
   constexpr double negligible = 1e-6;
   plan.clear();

@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "LosTopos/mesh/hold.h"
+#include "LosTopos/mesh/operation_events.h"
 #include "LosTopos/remeshing/change_plan.h"
 #include "LosTopos/remeshing/invariants/intersection.h"
 #include "LosTopos/remeshing/invariants/invariant.h"
-#include "LosTopos/remeshing/operation_events.h"
 #include "LosTopos/remeshing/surface_index.h"
 
 namespace lostopos {
@@ -18,7 +19,7 @@ class RemeshContext {
  public:
   /// `held`: what no operation may move or remove, see mesh/hold.h. `index`: see SurfaceIndex; may be null. Throws
   /// InputError for options out of range.
-  RemeshContext(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
+  RemeshContext(SurfaceMesh& mesh, const VertexAttribute<Hold>& held, const RemeshOptions& options,
                 std::span<OperationObserver* const> observers = {}, BroadPhase* index = nullptr)
       : mesh(mesh),
         held(held),
@@ -32,7 +33,7 @@ class RemeshContext {
   ~RemeshContext() = default;
 
   SurfaceMesh& mesh;
-  const VertexAttribute<char>& held;
+  const VertexAttribute<Hold>& held;
   const RemeshOptions options;
   Limits limits;
   SurfaceIndex index;
@@ -40,8 +41,10 @@ class RemeshContext {
   ChangePlan plan;
   StarMotion motion;
 
+  /// Tells the mesh's named attributes, then the observers.
   template <class Event>
   void notify(void (OperationObserver::*method)(const SurfaceMesh&, const Event&), const Event& event) const {
+    mesh.carry_attributes(method, event);
     for (OperationObserver* observer : observers_) (observer->*method)(mesh, event);
   }
 

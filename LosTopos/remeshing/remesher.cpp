@@ -5,7 +5,7 @@
 
 namespace lostopos {
 
-Remesher::Remesher(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
+Remesher::Remesher(SurfaceMesh& mesh, const VertexAttribute<Hold>& held, const RemeshOptions& options,
                    std::vector<OperationObserver*> observers)
     : mesh_(mesh), held_(held), options_(options), observers_(std::move(observers)) {
   limits_of(options_);  // throws early

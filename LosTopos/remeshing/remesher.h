@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "LosTopos/collision/broad_phase.h"
-#include "LosTopos/remeshing/operation_events.h"
+#include "LosTopos/mesh/hold.h"
+#include "LosTopos/mesh/operation_events.h"
 #include "LosTopos/remeshing/remesh_options.h"
 #include "LosTopos/remeshing/remesh_statistics.h"
 
@@ -17,7 +18,7 @@ class Remesher {
   /// `held`: see mesh/hold.h; a new vertex has the attribute's default until an observer (see HoldTransfer) hands on
   /// what its edge's ends have in common. `observers` are told of every operation, in their order. All of them must
   /// outlive the remesher. Throws InputError for options out of range.
-  Remesher(SurfaceMesh& mesh, const VertexAttribute<char>& held, const RemeshOptions& options,
+  Remesher(SurfaceMesh& mesh, const VertexAttribute<Hold>& held, const RemeshOptions& options,
            std::vector<OperationObserver*> observers = {});
 
   /// One pass: split long edges, split large angles, collapse short edges, flip, smooth; then aggressive rounds while
@@ -29,7 +30,7 @@ class Remesher {
 
  private:
   SurfaceMesh& mesh_;
-  const VertexAttribute<char>& held_;
+  const VertexAttribute<Hold>& held_;
   RemeshOptions options_;
   std::vector<OperationObserver*> observers_;
 };

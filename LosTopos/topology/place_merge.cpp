@@ -32,7 +32,7 @@ bool have_common(const std::vector<Vertex>& a, const std::vector<Vertex>& b) {
 }
 
 // Whether the sites are held in one coordinate at two values: in opposite walls.
-bool leaves_wall(const SurfaceMesh& mesh, const std::array<Site, 2>& sites, const std::array<char, 2>& holds_of) {
+bool leaves_wall(const SurfaceMesh& mesh, const std::array<Site, 2>& sites, const std::array<Hold, 2>& holds_of) {
   const Vec3 &x = mesh.position(sites[0].place.vertices[0]), &y = mesh.position(sites[1].place.vertices[0]);
   for (int i = 0; i < 3; ++i)
     if (holds(holds_of[0], i) && holds(holds_of[1], i) && x[i] != y[i]) return true;
@@ -48,8 +48,8 @@ std::optional<Refusal> PlaceMerge::choose_position() {
   // The middle of a held wire or solid must not get a vertex that belongs to a film only.
   for (std::size_t i = 0; i < 2; ++i)
     if (held[i] && !sites_[i].vertex.valid()) return Refusal::held;
-  const std::array<char, 2> holds_of = {common_hold(c_.mesh, c_.held, sites_[0].place),
-                                        common_hold(c_.mesh, c_.held, sites_[1].place)};
+  const std::array<Hold, 2> holds_of = {common_hold(c_.mesh, c_.held.slots(), sites_[0].place),
+                                        common_hold(c_.mesh, c_.held.slots(), sites_[1].place)};
   if (leaves_wall(c_.mesh, sites_, holds_of)) return Refusal::held;
   const std::array<bool, 2> bound = {held[0] || !holds_all_of(holds_of[1], holds_of[0]),
                                      held[1] || !holds_all_of(holds_of[0], holds_of[1])};

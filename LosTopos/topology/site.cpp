@@ -90,7 +90,7 @@ VertexRank rank(const SurfaceMesh& mesh, const Site& site) {
   return site.edge.valid() && is_border(mesh, site.edge) ? VertexRank::border : VertexRank::film;
 }
 
-bool is_held(const VertexAttribute<char>& held, const Site& site) {
+bool is_held(const VertexAttribute<Hold>& held, const Site& site) {
   return std::ranges::all_of(site.vertices(), [&](Vertex v) { return is_held(held[v]); });
 }
 

@@ -2,7 +2,9 @@
 
 #include <span>
 
-#include "LosTopos/remeshing/operation_events.h"
+#include "LosTopos/mesh/hold.h"
+#include "LosTopos/mesh/operation_events.h"
+#include "LosTopos/mesh/surface_mesh.h"
 #include "LosTopos/remeshing/vertex_rank.h"
 
 namespace lostopos {
@@ -37,7 +39,7 @@ SurfaceMesh::TriangleList triangles_at(const SurfaceMesh& mesh, const Site& site
 VertexRank rank(const SurfaceMesh& mesh, const Site& site);
 
 /// Whether the site's vertices are all held: nothing may move there.
-bool is_held(const VertexAttribute<char>& held, const Site& site);
+bool is_held(const VertexAttribute<Hold>& held, const Site& site);
 
 /// How much of the unit vector `direction` is normal to the surface at the site: the largest over the films (by pair of
 /// regions) that meet there of |n · direction|, n the film's area-weighted unit normal. In [0, 1].

@@ -7,8 +7,8 @@ namespace multitracker {
 std::vector<lostopos::Vec3> PrescribedFlow::predicted(const FlowStep& step) const {
   auto positions = carried(*flow_, step.mesh.positions(), step.time, step.dt);
   for (lostopos::Vertex v : step.mesh.vertices()) {
-    const char hold = step.held[v.index()];
-    if (hold == lostopos::hold_none) continue;
+    const lostopos::Hold hold = step.held[v.index()];
+    if (hold == lostopos::Hold::none) continue;
     const lostopos::Vec3& start = step.mesh.position(v);
     positions[v.index()] = start + lostopos::free_part(hold, positions[v.index()] - start);
   }

@@ -11,8 +11,8 @@ namespace multitracker {
 /// The surface at the start of a step, and the step.
 struct FlowStep {
   const lostopos::SurfaceMesh& mesh;
-  std::span<const char> held;  ///< see lostopos/mesh/hold.h; one per vertex slot
-  double time, dt;             ///< T
+  std::span<const lostopos::Hold> held;  ///< see lostopos/mesh/hold.h; one per vertex slot
+  double time, dt;                       ///< T
 };
 
 /// What moves a surface. Prescribed velocity fields and motions that depend on the surface itself (growth along its

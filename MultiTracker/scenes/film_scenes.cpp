@@ -41,7 +41,7 @@ Drive mean_curvature(const base::OptionSet& options, const SurfaceMesh&) {
 void hold_air_side(const base::OptionSet&, SurfaceTracker& tracker) {
   for (lostopos::Triangle t : tracker.mesh().triangles())
     if (tracker.mesh().labels(t).has(lostopos::air))
-      for (lostopos::Vertex v : tracker.mesh().vertices(t)) tracker.held()[v] = lostopos::hold_all;
+      for (lostopos::Vertex v : tracker.mesh().vertices(t)) tracker.held()[v] = lostopos::Hold::all;
 }
 
 SceneEntry t1() {
@@ -143,7 +143,7 @@ SceneEntry catenoid() {
           [](const base::OptionSet&, SurfaceTracker& tracker) {
             for (lostopos::Edge e : tracker.mesh().edges())
               if (tracker.mesh().triangles(e).size() == 1)
-                for (lostopos::Vertex v : tracker.mesh().vertices(e)) tracker.held()[v] = lostopos::hold_all;
+                for (lostopos::Vertex v : tracker.mesh().vertices(e)) tracker.held()[v] = lostopos::Hold::all;
           },
           false};
 }

@@ -14,25 +14,25 @@ namespace lostopos {
 namespace {
 
 TEST(Hold, BitsAddUpAndAreSharedInOneWallOnly) {
-  EXPECT_TRUE(is_held(hold_all));
-  EXPECT_TRUE(is_held(hold_x | hold_y | hold_z));
-  EXPECT_FALSE(is_held(hold_x | hold_z));
-  EXPECT_TRUE(holds_all_of(hold_all, hold_x | hold_y));
-  EXPECT_FALSE(holds_all_of(hold_x, hold_x | hold_y));
-  EXPECT_EQ(hold_union(hold_x, hold_y), hold_x | hold_y);
-  EXPECT_EQ(hold_union(hold_x, hold_all), hold_all);
-  EXPECT_EQ(free_part(hold_x | hold_z, Vec3(1, 2, 3)), Vec3(0, 2, 0));
-  EXPECT_EQ(free_part(hold_all, Vec3(1, 2, 3)), Vec3::Zero());
+  EXPECT_TRUE(is_held(Hold::all));
+  EXPECT_TRUE(is_held(Hold::x | Hold::y | Hold::z));
+  EXPECT_FALSE(is_held(Hold::x | Hold::z));
+  EXPECT_TRUE(holds_all_of(Hold::all, Hold::x | Hold::y));
+  EXPECT_FALSE(holds_all_of(Hold::x, Hold::x | Hold::y));
+  EXPECT_EQ(Hold::x | Hold::y | Hold::z, Hold::all);
+  EXPECT_EQ(Hold::x | Hold::all, Hold::all);
+  EXPECT_EQ(free_part(Hold::x | Hold::z, Vec3(1, 2, 3)), Vec3(0, 2, 0));
+  EXPECT_EQ(free_part(Hold::all, Vec3(1, 2, 3)), Vec3::Zero());
   const Vec3 left(0, 0.2, 1), right(1, 0.7, 1);
-  EXPECT_EQ(common_hold(hold_x | hold_z, left, hold_x | hold_z, right), hold_z);
-  EXPECT_EQ(common_hold(hold_all, left, hold_z, right), hold_z);
-  EXPECT_EQ(common_hold(hold_x, left, hold_z, right), hold_none);
+  EXPECT_EQ(common_hold(Hold::x | Hold::z, left, Hold::x | Hold::z, right), Hold::z);
+  EXPECT_EQ(common_hold(Hold::all, left, Hold::z, right), Hold::z);
+  EXPECT_EQ(common_hold(Hold::x, left, Hold::z, right), Hold::none);
 }
 
-char hold_by_position(const Vec3& x) {
-  char hold = hold_none;
+Hold hold_by_position(const Vec3& x) {
+  Hold hold = Hold::none;
   for (int i = 0; i < 3; ++i)
-    if (x[i] == 0 || x[i] == 1) hold = static_cast<char>(hold | (hold_x << i));
+    if (x[i] == 0 || x[i] == 1) hold |= hold_of_coordinate(i);
   return hold;
 }
 
@@ -49,7 +49,7 @@ void expect_walls_kept(SurfaceTracker& tracker) {
   const SurfaceMesh& mesh = tracker.mesh();
   std::size_t corners = 0;
   for (Vertex v : mesh.vertices()) {
-    ASSERT_EQ(held_coordinates(tracker.held()[v]), hold_by_position(mesh.position(v))) << "vertex " << v.index();
+    ASSERT_EQ(tracker.held()[v], hold_by_position(mesh.position(v))) << "vertex " << v.index();
     corners += is_held(tracker.held()[v]);
   }
   EXPECT_EQ(corners, 8u);

@@ -120,13 +120,13 @@ TEST(SurfaceTracker, HeldVerticesStayOnTheirPathThroughMovesAndRemeshing) {
   }
   const double h = 0.6 * mean_edge_length(cube.mesh);
   SurfaceTracker tracker(std::move(cube.mesh), {.resolution = h});
-  for (Vertex v : cube.frame) tracker.held()[v] = 1;
+  for (Vertex v : cube.frame) tracker.held()[v] = Hold::all;
   std::size_t operations = 0;
   for (int step = 0; step < 30; ++step) {
     std::vector<Vec3> predicted = positions_of(tracker.mesh());
     for (Vertex v : tracker.mesh().vertices()) {
       Vec3& x = predicted[v.index()];
-      if (tracker.held()[v]) {  // the frame turns about z and rises
+      if (is_held(tracker.held()[v])) {  // the frame turns about z and rises
         x += 0.1 * h * Vec3(-0.3 * x.y(), 0.3 * x.x(), 0.1);
         path[static_cast<std::size_t>(number[v])] = x;
       } else {  // the films flutter
@@ -139,10 +139,10 @@ TEST(SurfaceTracker, HeldVerticesStayOnTheirPathThroughMovesAndRemeshing) {
     for (Vertex v : tracker.mesh().vertices())
       if (number[v] >= 0) {
         ++found;
-        EXPECT_TRUE(tracker.held()[v]);
+        EXPECT_TRUE(is_held(tracker.held()[v]));
         EXPECT_EQ(tracker.mesh().position(v), path[static_cast<std::size_t>(number[v])]);
       } else {
-        EXPECT_FALSE(tracker.held()[v]) << "a new vertex is free";
+        EXPECT_EQ(tracker.held()[v], Hold::none) << "a new vertex is free";
       }
     ASSERT_EQ(found, path.size());
     ASSERT_EQ(audit(tracker.mesh(), {.closed_regions = false}).text(), "clean");
@@ -174,12 +174,12 @@ TEST(SurfaceTracker, ClosesManyGapsAndAttributesFollow) {
   SurfaceTracker tracker(std::move(fine), {.resolution = h});
   SurfaceMesh& mesh = tracker.mesh();
   Carry carry(mesh);
-  tracker.add_observer(carry);
+  const ObserverToken token = tracker.add_observer(carry);
   const std::vector<Vec3> start = positions_of(mesh);
   for (Vertex v : mesh.vertices()) {
     carry.name[v] = static_cast<int>(v.index());
     carry.values[v] = mesh.position(v).x();
-    tracker.held()[v] = v.index() % 7 == 0 ? 1 : 0;
+    tracker.held()[v] = v.index() % 7 == 0 ? Hold::all : Hold::none;
   }
   const std::size_t slots = mesh.vertex_slots();
   const RemeshStatistics done = tracker.remesh();
@@ -194,7 +194,7 @@ TEST(SurfaceTracker, ClosesManyGapsAndAttributesFollow) {
   for (Vertex v : mesh.vertices()) {
     EXPECT_NEAR(carry.values[v], mesh.position(v).x(), h);
     if (carry.name[v] >= 0) renumbered += carry.name[v] != static_cast<int>(v.index()) ? 1U : 0U;
-    if (!tracker.held()[v]) continue;
+    if (!is_held(tracker.held()[v])) continue;
     ++held;
     ASSERT_EQ(carry.name[v] % 7, 0);
     EXPECT_EQ(mesh.position(v), start[static_cast<std::size_t>(carry.name[v])]);
@@ -202,6 +202,51 @@ TEST(SurfaceTracker, ClosesManyGapsAndAttributesFollow) {
   }
   EXPECT_EQ(held, (slots + 6) / 7);
   EXPECT_GT(renumbered, 0U);
+}
+
+TEST(SurfaceTracker, TellsAnObserverForAsLongAsItsTokenLives) {
+  SurfaceMesh fine = test::analytic_double_bubble(1, 24);
+  const double h = 1.5 * mean_edge_length(fine);
+  SurfaceTracker tracker(std::move(fine), {.resolution = h});
+  Carry first(tracker.mesh()), second(tracker.mesh());
+  ObserverToken outlives;
+  {
+    const ObserverToken token = tracker.add_observer(first);
+    outlives = tracker.add_observer(second);
+    tracker.remesh();
+    ASSERT_GT(first.collapses, 0U);
+    EXPECT_EQ(first.collapses, second.collapses);
+  }
+  const std::size_t told = first.collapses;
+  for (Vertex v : tracker.mesh().vertices()) tracker.mesh().set_position(v, 0.6 * tracker.mesh().position(v));
+  tracker.remesh();
+  EXPECT_EQ(first.collapses, told);
+  EXPECT_GT(second.collapses, told);
+  outlives.remove();
+  const std::size_t then = second.collapses;
+  for (Vertex v : tracker.mesh().vertices()) tracker.mesh().set_position(v, 0.6 * tracker.mesh().position(v));
+  tracker.remesh();
+  EXPECT_EQ(second.collapses, then);
+}
+
+TEST(SurfaceTracker, IsRestoredWithWhatIsHeldAndSolid) {
+  SurfaceTracker tracker = double_bubble_tracker(16);
+  SurfaceMesh& mesh = tracker.mesh();
+  tracker.held()[Vertex(3)] = Hold::y;
+  tracker.solid()[Triangle(4)] = 1;
+  SurfaceTracker::State state;
+  tracker.save(state);
+  for (Vertex v : mesh.vertices()) mesh.set_position(v, 0.5 * mesh.position(v));
+  tracker.remesh();
+  tracker.held()[Vertex(0)] = Hold::all;
+  tracker.restore(state);
+  EXPECT_TRUE(test::same_bits(state, tracker.state()));
+  EXPECT_EQ(tracker.held()[Vertex(3)], Hold::y);
+  EXPECT_EQ(tracker.held()[Vertex(0)], Hold::none);
+  EXPECT_EQ(tracker.solid()[Triangle(4)], 1);
+  SurfaceTracker other(SurfaceMesh::from_state(state), tracker.options());
+  EXPECT_EQ(other.held()[Vertex(3)], Hold::y);
+  EXPECT_EQ(other.solid()[Triangle(4)], 1);
 }
 
 TEST(SurfaceTracker, LeavesFewGapsAndTheNumberingAlone) {

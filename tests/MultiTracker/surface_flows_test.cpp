@@ -21,11 +21,11 @@ using lostopos::SurfaceMesh;
 using lostopos::Vec3;
 using lostopos::Vertex;
 
-std::vector<char> nothing_held(const SurfaceMesh& mesh) {
-  return std::vector<char>(mesh.vertex_slots(), lostopos::hold_none);
+std::vector<lostopos::Hold> nothing_held(const SurfaceMesh& mesh) {
+  return std::vector<lostopos::Hold>(mesh.vertex_slots(), lostopos::Hold::none);
 }
 
-void move(SurfaceMesh& mesh, const SurfaceFlow& flow, double dt, const std::vector<char>& held) {
+void move(SurfaceMesh& mesh, const SurfaceFlow& flow, double dt, const std::vector<lostopos::Hold>& held) {
   const auto ends = flow.predicted({mesh, held, 0, dt});
   for (Vertex v : mesh.vertices()) mesh.set_position(v, ends[v.index()]);
 }
@@ -139,9 +139,9 @@ TEST(MeanCurvature, DrivesBordersTo120Degrees) {
 
 TEST(HeldCoordinates, StayInEveryFlow) {
   const SurfaceMesh sphere = lostopos::icosphere(2);
-  std::vector<char> held = nothing_held(sphere);
-  held[3] = lostopos::hold_all;
-  held[7] = lostopos::hold_x | lostopos::hold_z;
+  std::vector<lostopos::Hold> held = nothing_held(sphere);
+  held[3] = lostopos::Hold::all;
+  held[7] = lostopos::Hold::x | lostopos::Hold::z;
   const MeanCurvatureFlow curvature;
   const NormalFlow normal(1);
   const FaceOffsetFlow offset(PairSpeeds(1));

@@ -49,7 +49,7 @@ double VolumeChange::largest() const {
   return largest;
 }
 
-Vec3 VolumeChange::restoring_shift(char hold) const {
+Vec3 VolumeChange::restoring_shift(Hold hold) const {
   constexpr double negligible = 0.01;
   Eigen::Matrix3d quadric = Eigen::Matrix3d::Zero();
   Vec3 wanted = Vec3::Zero();

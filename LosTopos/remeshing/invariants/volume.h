@@ -31,7 +31,7 @@ class VolumeChange {
   /// regions r. On a film it is along the normal, on a junction curve across it. Directions in which the volumes hardly
   /// depend on the position (eigenvalues of Σ g gᵀ below 1% of the largest) are left out. Held coordinates of the
   /// vertex stay, to the bit.
-  Vec3 restoring_shift(char hold = hold_none) const;
+  Vec3 restoring_shift(Hold hold = Hold::none) const;
 
  private:
   OfRegion& at(Region region);

@@ -74,7 +74,7 @@ Rest brought_to_rest(const char* name, long n, double displacement, const std::s
   for (Edge e : mesh.edges()) {
     if (mesh.triangles(e).size() != 1) continue;
     for (Vertex v : mesh.vertices(e)) {
-      EXPECT_NE(rest.simulation.held()[v.index()], 0);
+      EXPECT_TRUE(is_held(rest.simulation.held()[v.index()]));
       EXPECT_TRUE(std::ranges::any_of(start, [&](const Vec3& x) { return x == mesh.position(v); }));
     }
   }

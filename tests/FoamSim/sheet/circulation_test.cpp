@@ -2,8 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
+#include "FoamSim/sheet/sheet_strength.h"
+#include "FoamSim/sheet/surface_geometry.h"
+#include "LosTopos/error.h"
+#include "LosTopos/mesh/measures.h"
+#include "LosTopos/mesh/state_json.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {
@@ -176,6 +183,59 @@ TEST(CirculationMemory, PerVertexDoesNotGrowWithTheFoam) {
   SurfaceMesh one = double_bubbles(1, true), many = double_bubbles(1000, true);
   const CirculationField circulation_one(one), circulation_many(many);
   EXPECT_EQ(circulation_many.memory_bytes(), 1000 * circulation_one.memory_bytes());
+}
+
+bool same_values(const SurfaceMesh& mesh, const CirculationField& a, const CirculationField& b) {
+  const auto same = [](const PairCirculation& x, const PairCirculation& y) {
+    return x.pair == y.pair && x.value == y.value;
+  };
+  return std::ranges::all_of(mesh.vertices(), [&](Vertex v) { return std::ranges::equal(a.at(v), b.at(v), same); });
+}
+
+TEST(CirculationState, IsRestoredAndReadWithTheMesh) {
+  SurfaceMesh mesh = double_bubble(16);
+  CirculationField circulation(mesh);
+  double next = 0;
+  for (Vertex v : mesh.vertices())
+    for (auto& [pair, value] : circulation.at(v)) value = std::sin(next += 1.7);
+  const auto state = mesh.state();
+  SurfaceMesh read = SurfaceMesh::from_state(
+      lostopos::mesh_state_from_json(nlohmann::json::from_cbor(nlohmann::json::to_cbor(lostopos::to_json(state)))));
+  const CirculationField taken_up(read);
+  EXPECT_TRUE(same_values(mesh, circulation, taken_up));
+  for (Vertex v : mesh.vertices()) circulation.set(v, k12, 9);
+  EXPECT_FALSE(same_values(mesh, circulation, taken_up));
+  mesh.restore(state);
+  EXPECT_TRUE(same_values(mesh, circulation, taken_up));
+}
+
+TEST(CirculationState, ThatIsDamagedIsRefused) {
+  SurfaceMesh mesh = double_bubble(8);
+  const CirculationField circulation(mesh);
+  const nlohmann::json whole = lostopos::to_json(mesh.state());
+  const auto bytes = whole["vertex_attributes"]["circulation"]["bytes"].get_binary();
+  for (std::size_t size : {std::size_t{0}, std::size_t{5}, bytes.size() / 2, bytes.size() - 1, bytes.size() - 16}) {
+    nlohmann::json damaged = whole;
+    damaged["vertex_attributes"]["circulation"]["bytes"] =
+        nlohmann::json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.begin() + static_cast<long>(size)));
+    SurfaceMesh read = SurfaceMesh::from_state(lostopos::mesh_state_from_json(damaged));
+    EXPECT_THROW(CirculationField{read}, lostopos::MeshError) << size;
+  }
+}
+
+TEST(Solids, AreTrianglesThatSaySoAndNoFilm) {
+  SurfaceMesh mesh = double_bubble(8);
+  const CirculationField circulation(mesh);
+  std::vector<std::uint8_t> solid(mesh.triangle_slots(), 0);
+  solid[3] = solid[5] = 1;
+  std::vector<SheetTriangle> sheet;
+  gather_sheet(mesh, circulation, sheet, solid);
+  EXPECT_EQ(sheet.size(), mesh.triangle_count() - 2);
+  for (const SheetTriangle& film : sheet) EXPECT_EQ(solid[film.triangle.index()], 0);
+  SurfaceGeometry geometry;
+  geometry.update(mesh, solid);
+  EXPECT_NEAR(geometry.total_area(), lostopos::total_area(mesh) - area(mesh, Triangle(3)) - area(mesh, Triangle(5)),
+              1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // Γ through the tracker's operations, against the rules themselves applied to what was there before.
-#include "FoamSim/sheet/circulation_transfer.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "FoamSim/sheet/circulation.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/edge_collapse.h"
 #include "LosTopos/remeshing/edge_split.h"
@@ -22,6 +21,7 @@ using lostopos::CollapseEvent;
 using lostopos::Edge;
 using lostopos::FlipEvent;
 using lostopos::Labels;
+using lostopos::OperationObserver;
 using lostopos::Region;
 using lostopos::SplitEvent;
 using lostopos::SurfaceMesh;
@@ -55,45 +55,37 @@ void expect_mixed(const SurfaceMesh& mesh, const CirculationField& circulation, 
   }
 }
 
-// Passes the events on, and compares what becomes of Γ with the rules.
-class CheckedTransfer final : public lostopos::OperationObserver {
+// Compares what becomes of Γ with the rules.
+class CheckedTransfer final : public OperationObserver {
  public:
-  explicit CheckedTransfer(CirculationField& circulation) : circulation_(circulation), transfer_(circulation) {}
+  explicit CheckedTransfer(CirculationField& circulation) : circulation_(circulation) {}
 
-  void before_split(const SurfaceMesh& mesh, const SplitEvent& e) override {
+  void before_split(const SurfaceMesh&, const SplitEvent& e) override {
     a_ = values_at(circulation_, e.ends[0]);
     b_ = values_at(circulation_, e.ends[1]);
-    transfer_.before_split(mesh, e);
   }
   void after_split(const SurfaceMesh& mesh, const SplitEvent& e) override {
-    transfer_.after_split(mesh, e);
     ++splits;
     expect_mixed(mesh, circulation_, e.added, a_, b_, 0.5);
     EXPECT_EQ(values_at(circulation_, e.ends[0]), a_);
     EXPECT_EQ(values_at(circulation_, e.ends[1]), b_);
   }
-  void before_collapse(const SurfaceMesh& mesh, const CollapseEvent& e) override {
+  void before_collapse(const SurfaceMesh&, const CollapseEvent& e) override {
     a_ = values_at(circulation_, e.kept);
     b_ = values_at(circulation_, e.removed);
-    transfer_.before_collapse(mesh, e);
   }
   void after_collapse(const SurfaceMesh& mesh, const CollapseEvent& e) override {
-    transfer_.after_collapse(mesh, e);
     ++collapses;
     inner_collapses += e.t > 0 && e.t < 1 ? 1U : 0U;
     border_collapses += mesh.is_junction(e.kept) ? 1U : 0U;
     expect_mixed(mesh, circulation_, e.kept, a_, b_, e.t);
   }
-  void after_flip(const SurfaceMesh& mesh, const FlipEvent& e) override {
-    transfer_.after_flip(mesh, e);
-    ++flips;
-  }
+  void after_flip(const SurfaceMesh&, const FlipEvent&) override { ++flips; }
 
   std::size_t splits = 0, collapses = 0, flips = 0, inner_collapses = 0, border_collapses = 0;
 
  private:
   CirculationField& circulation_;
-  CirculationTransfer transfer_;
   Values a_, b_;
 };
 
@@ -125,7 +117,7 @@ double linear(RegionPair pair, const Vec3& x) {
 
 struct DoubleBubble {
   SurfaceMesh mesh = lostopos::test::analytic_double_bubble(1, 12);
-  lostopos::VertexAttribute<char> held = mesh.add_vertex_attribute<char>(0);
+  lostopos::VertexAttribute<lostopos::Hold> held = mesh.add_vertex_attribute<lostopos::Hold>(lostopos::Hold::none);
   CirculationField circulation{mesh};
   CheckedTransfer transfer{circulation};
   lostopos::RemeshOptions options{.target_edge = mean_edge_length(mesh)};
@@ -140,7 +132,7 @@ struct DoubleBubble {
     }
     return found;
   }
-  std::vector<lostopos::OperationObserver*> observers{&transfer};
+  std::vector<OperationObserver*> observers{&transfer};
 };
 
 TEST(CirculationTransfer, SplitGivesTheMeanOfTheEndsForEachPair) {
@@ -188,7 +180,16 @@ TEST(CirculationTransfer, CollapseTakesAPairThatOneVertexHadFromThere) {
   auto [film, border] = bubble.mesh.vertices(e);
   if (bubble.mesh.is_junction(film)) std::swap(film, border);
   const Values of_film = values_at(bubble.circulation, film), of_border = values_at(bubble.circulation, border);
-  CirculationTransfer(bubble.circulation).before_collapse(bubble.mesh, {e, film, border, 0.3, Vec3::Zero(), {}});
+  const CollapseEvent event{e, film, border, 0.3, Vec3::Zero(), {}};
+  bubble.mesh.carry_attributes(&OperationObserver::before_collapse, event);
+  for (Triangle t : std::vector<Triangle>(bubble.mesh.triangles(border).begin(), bubble.mesh.triangles(border).end())) {
+    auto v = bubble.mesh.vertices(t);
+    const Labels labels = bubble.mesh.labels(t);
+    bubble.mesh.remove_triangle(t);
+    std::ranges::replace(v, border, film);
+    if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0]) bubble.mesh.add_triangle(v[0], v[1], v[2], labels);
+  }
+  bubble.mesh.carry_attributes(&OperationObserver::after_collapse, event);
   const Values mixed = values_at(bubble.circulation, film);
   ASSERT_EQ(mixed.size(), 3U);
   for (const auto& [pair, value] : mixed)
@@ -222,16 +223,16 @@ TEST(CirculationTransfer, APairThatNobodyHadIsTheMeanOfTheNeighboursThatHoldIt) 
   ASSERT_GE(count, 2);
   mesh.set_labels(t, left);
   const auto& v = mesh.vertices(t);
-  CirculationTransfer(bubble.circulation)
-      .after_flip(mesh, {Edge(), mesh.edges(t)[0], {v[0], v[1]}, {v[2], v[0]}, Vertex(), Vec3::Zero(), {}});
+  const FlipEvent event{Edge(), mesh.edges(t)[0], {v[0], v[1]}, {v[2], v[0]}, Vertex(), Vec3::Zero(), {}};
+  mesh.carry_attributes(&OperationObserver::after_flip, event);
   EXPECT_NEAR(bubble.circulation.get(inner, left), sum / count, 1e-15);
   EXPECT_EQ(bubble.circulation.get(inner, {Region(2), air}), kept);
   expect_sound(mesh, bubble.circulation);
 }
 
 void expect_linear_through_splits(SurfaceMesh mesh, std::span<const Vertex> held_vertices) {
-  auto held = mesh.add_vertex_attribute<char>(0);
-  for (Vertex v : held_vertices) held[v] = 1;
+  auto held = mesh.add_vertex_attribute<lostopos::Hold>(lostopos::Hold::none);
+  for (Vertex v : held_vertices) held[v] = lostopos::Hold::all;
   CirculationField circulation(mesh);
   for (Vertex v : mesh.vertices())
     for (auto& [pair, value] : circulation.at(v)) value = linear(pair, mesh.position(v));
@@ -261,8 +262,8 @@ TEST(CirculationTransfer, ALinearFunctionStaysLinearThroughMidpointSplits) {
 // pair's values at the start, and one that was the same everywhere stays so.
 void remesh_at_random(SurfaceMesh mesh, std::span<const Vertex> held_vertices, bool constant, unsigned seed) {
   std::mt19937 random(seed);
-  auto held = mesh.add_vertex_attribute<char>(0);
-  for (Vertex v : held_vertices) held[v] = 1;
+  auto held = mesh.add_vertex_attribute<lostopos::Hold>(lostopos::Hold::none);
+  for (Vertex v : held_vertices) held[v] = lostopos::Hold::all;
   CirculationField circulation(mesh);
   set_random(mesh, circulation, seed);
   auto same = [](RegionPair pair) { return 1.0 + pair.low.index() + 0.1 * pair.high.index(); };

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "FoamSim/sheet/circulation_transfer.h"
+#include "FoamSim/sheet/circulation.h"
 #include "tests/support/film_meshes.h"
 #include "tests/support/sample_meshes.h"
 
@@ -15,6 +15,7 @@ using lostopos::air;
 using lostopos::Edge;
 using lostopos::Labels;
 using lostopos::MergeEvent;
+using lostopos::OperationObserver;
 using lostopos::Place;
 using lostopos::Region;
 using lostopos::SeparationEvent;
@@ -78,12 +79,11 @@ TEST(MergeTransfer, KeepsAPairThatOnePlaceHadAsItWas) {
   TwoTetrahedra two_bodies;
   auto& [mesh, circulation, a, b] = two_bodies;
   const double of_a = mark(a, RegionPair(out_of_one)), of_b = mark(b, RegionPair(out_of_two));
-  CirculationTransfer transfer(*circulation);
   MergeEvent event{{at(a), at(b)}, 0.3, a, Vec3::Zero(), {}, {}};
-  transfer.before_merge(mesh, event);
+  mesh.carry_attributes(&OperationObserver::before_merge, event);
   hand_over(mesh, b, a, [](Triangle) { return true; });
   mesh.remove_vertex(b);
-  transfer.after_merge(mesh, event);
+  mesh.carry_attributes(&OperationObserver::after_merge, event);
   EXPECT_EQ(values_at(*circulation, a), (Values{{RegionPair(out_of_one), of_a}, {RegionPair(out_of_two), of_b}}))
       << "how far the result lies from a vertex does not matter to a pair that only this one has";
 }
@@ -107,10 +107,9 @@ TEST(MergeTransfer, OfPlacesInsideAnEdgeAndATriangleMixesTheirMeans) {
   const RegionPair shared(out_of_one);
   const double first = 0.25 * mark(border, shared) + 0.75 * mark(film, shared);
   const double second = 0.2 * mark(corner[0], shared) + 0.3 * mark(corner[1], shared) + 0.5 * mark(corner[2], shared);
-  CirculationTransfer transfer(circulation);
   const MergeEvent event{places, 0.4, border, Vec3::Zero(), {}, {}};
-  transfer.before_merge(mesh, event);
-  transfer.after_merge(mesh, event);
+  mesh.carry_attributes(&OperationObserver::before_merge, event);
+  mesh.carry_attributes(&OperationObserver::after_merge, event);
   const Values mixed = values_at(circulation, border);
   ASSERT_EQ(mixed.size(), 3U);
   EXPECT_NEAR(mixed.at(shared), 0.6 * first + 0.4 * second, 1e-13);
@@ -145,10 +144,9 @@ TEST(MergeTransfer, TheFirstTriangleOfANewWallTakesTheSumOfThePotentialJumps) {
   PressedFilms films;
   CirculationField circulation(films.mesh);
   set_marks(films.mesh, circulation);
-  CirculationTransfer transfer(circulation);
-  transfer.before_merge(films.mesh, films.event());
+  films.mesh.carry_attributes(&OperationObserver::before_merge, films.event());
   films.cancel();
-  transfer.after_merge(films.mesh, films.event());
+  films.mesh.carry_attributes(&OperationObserver::after_merge, films.event());
   for (Vertex v : {Vertex(0), Vertex(1), Vertex(2)}) {
     const double sum = -mark(v, RegionPair(out_of_one)) + mark(v, RegionPair(out_of_two));  // Γ^{10} + Γ^{02}
     EXPECT_NEAR(circulation.get(v, wall), sum, 1e-14);
@@ -162,10 +160,9 @@ TEST(MergeTransfer, AWallThatGrowsTakesTheMeanOfTheNeighboursThatHoldIt) {
   films.mesh.add_triangle(Vertex(1), beside, Vertex(2), wall);  // corners 1 and 2 hold the wall's pair already
   CirculationField circulation(films.mesh);
   set_marks(films.mesh, circulation);
-  CirculationTransfer transfer(circulation);
-  transfer.before_merge(films.mesh, films.event());
+  films.mesh.carry_attributes(&OperationObserver::before_merge, films.event());
   films.cancel();
-  transfer.after_merge(films.mesh, films.event());
+  films.mesh.carry_attributes(&OperationObserver::after_merge, films.event());
   const RegionPair pair(wall);
   EXPECT_NEAR(circulation.get(Vertex(0), wall), (mark(Vertex(1), pair) + mark(Vertex(2), pair)) / 2, 1e-14);
   EXPECT_EQ(circulation.get(Vertex(1), wall), mark(Vertex(1), pair));
@@ -174,12 +171,11 @@ TEST(MergeTransfer, AWallThatGrowsTakesTheMeanOfTheNeighboursThatHoldIt) {
 TEST(MergeTransfer, LeavesNoPairBehindWhereARegionIsGone) {
   PressedFilms films;
   CirculationField circulation(films.mesh);
-  CirculationTransfer transfer(circulation);
-  transfer.before_merge(films.mesh, films.event());
+  films.mesh.carry_attributes(&OperationObserver::before_merge, films.event());
   for (Triangle t : std::vector<Triangle>(films.mesh.triangles().begin(), films.mesh.triangles().end()))
     if (films.mesh.labels(t).has(two)) films.mesh.remove_triangle(t);
   films.mesh.remove_vertex(Vertex(4));
-  transfer.after_merge(films.mesh, films.event());
+  films.mesh.carry_attributes(&OperationObserver::after_merge, films.event());
   for (Vertex v : films.mesh.vertices()) {
     ASSERT_EQ(circulation.at(v).size(), 1U);
     EXPECT_EQ(circulation.at(v)[0].pair, RegionPair(out_of_one));
@@ -189,14 +185,16 @@ TEST(MergeTransfer, LeavesNoPairBehindWhereARegionIsGone) {
 TEST(SeparationTransfer, BothCopiesKeepTheValuesOfThePairsTheyHave) {
   TwoTetrahedra two_bodies;
   auto& [mesh, unused, a, b] = two_bodies;
+  unused.reset();
   hand_over(mesh, b, a, [](Triangle) { return true; });  // two bodies that touch in a point
   CirculationField circulation(mesh);
   set_marks(mesh, circulation);
-  CirculationTransfer transfer(circulation);
-  transfer.before_separation(mesh, {a, Vertex(), Vec3::Zero(), Vec3::Zero(), {}});
+  mesh.carry_attributes(&OperationObserver::before_separation,
+                        SeparationEvent{a, Vertex(), Vec3::Zero(), Vec3::Zero(), {}});
   const Vertex added = mesh.add_vertex(Vec3(-0.01, 0, 0));
   hand_over(mesh, a, added, [&mesh = mesh](Triangle t) { return mesh.labels(t).has(two); });
-  transfer.after_separation(mesh, {a, added, Vec3::Zero(), Vec3::Zero(), {}});
+  mesh.carry_attributes(&OperationObserver::after_separation,
+                        SeparationEvent{a, added, Vec3::Zero(), Vec3::Zero(), {}});
   EXPECT_EQ(values_at(circulation, a), (Values{{RegionPair(out_of_one), mark(a, RegionPair(out_of_one))}}));
   EXPECT_EQ(values_at(circulation, added), (Values{{RegionPair(out_of_two), mark(a, RegionPair(out_of_two))}}));
 }
@@ -214,11 +212,12 @@ TEST(SeparationTransfer, ANeighbourThatGainsAPairTakesTheValueOfTheVertex) {
   const Values before = values_at(circulation, border), film_before = values_at(circulation, film);
   ASSERT_EQ(before.size(), 3U);
   ASSERT_FALSE(film_before.contains(RegionPair(wall)));
-  CirculationTransfer transfer(circulation);
-  transfer.before_separation(mesh, {border, Vertex(), Vec3::Zero(), Vec3::Zero(), {}});
+  mesh.carry_attributes(&OperationObserver::before_separation,
+                        SeparationEvent{border, Vertex(), Vec3::Zero(), Vec3::Zero(), {}});
   const Vertex added = mesh.add_vertex(mesh.position(border) + Vec3(0, 0, 0.1));
   mesh.add_triangle(border, added, film, wall);
-  transfer.after_separation(mesh, {border, added, Vec3::Zero(), Vec3::Zero(), {}});
+  mesh.carry_attributes(&OperationObserver::after_separation,
+                        SeparationEvent{border, added, Vec3::Zero(), Vec3::Zero(), {}});
   EXPECT_EQ(circulation.get(film, wall), before.at(RegionPair(wall)));
   EXPECT_EQ(circulation.get(added, wall), before.at(RegionPair(wall)));
   EXPECT_EQ(values_at(circulation, border), before);
@@ -228,14 +227,16 @@ TEST(SeparationTransfer, ANeighbourThatGainsAPairTakesTheValueOfTheVertex) {
 TEST(SeparationTransfer, APairThatIsNewBetweenTheCopiesIsTheSumOfThePotentialJumps) {
   TwoTetrahedra two_bodies;
   auto& [mesh, unused, a, b] = two_bodies;
+  unused.reset();
   hand_over(mesh, b, a, [](Triangle) { return true; });
   CirculationField circulation(mesh);
   set_marks(mesh, circulation);
-  CirculationTransfer transfer(circulation);
-  transfer.before_separation(mesh, {a, Vertex(), Vec3::Zero(), Vec3::Zero(), {}});
+  mesh.carry_attributes(&OperationObserver::before_separation,
+                        SeparationEvent{a, Vertex(), Vec3::Zero(), Vec3::Zero(), {}});
   const Vertex added = mesh.add_vertex(Vec3(-0.01, 0, 0));
   mesh.add_triangle(a, added, Vertex(1), wall);
-  transfer.after_separation(mesh, {a, added, Vec3::Zero(), Vec3::Zero(), {}});
+  mesh.carry_attributes(&OperationObserver::after_separation,
+                        SeparationEvent{a, added, Vec3::Zero(), Vec3::Zero(), {}});
   const double sum = -mark(a, RegionPair(out_of_one)) + mark(a, RegionPair(out_of_two));
   EXPECT_NEAR(circulation.get(a, wall), sum, 1e-14);
   EXPECT_NEAR(circulation.get(added, wall), sum, 1e-14);

@@ -78,8 +78,8 @@ TEST(MotionTorture, SpherePressedByAPlaneOfHeldVertices) {
   add_part(mesh, icosphere(3), Region(1), [](const Vec3& x) { return x; });
   const MoveOptions options = options_for(mesh);
   const auto plate = add_sheet(mesh, 2, Vec3(-2, -2, 1.05), Vec3(4, 0, 0), Vec3(0, 4, 0), {air, Region(2)});
-  std::vector<char> held(mesh.vertex_slots(), 0);
-  for (Vertex v : plate) held[v.index()] = 1;
+  std::vector<Hold> held(mesh.vertex_slots(), Hold::none);
+  for (Vertex v : plate) held[v.index()] = Hold::all;
   MoveStatistics sum;
   for (int step = 0; step < 50; ++step) {
     std::vector<Vec3> predicted = positions_of(mesh);
@@ -89,7 +89,7 @@ TEST(MotionTorture, SpherePressedByAPlaneOfHeldVertices) {
   test::print("pressed sphere", sum);
   EXPECT_LT(mean(mesh, plate).z(), -1.2) << "it has swept over all of the sphere";
   for (Vertex v : mesh.vertices()) {
-    if (!held[v.index()]) {
+    if (!is_held(held[v.index()])) {
       EXPECT_LT(mesh.position(v).z(), mean(mesh, plate).z());
     }
   }

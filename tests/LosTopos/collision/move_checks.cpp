@@ -44,7 +44,7 @@ std::vector<Vec3> positions_of(const SurfaceMesh& mesh) {
   return {mesh.positions().begin(), mesh.positions().end()};
 }
 
-bool move_and_check(SurfaceMesh& mesh, const std::vector<Vec3>& predicted, const std::vector<char>& held,
+bool move_and_check(SurfaceMesh& mesh, const std::vector<Vec3>& predicted, const std::vector<Hold>& held,
                     const MoveOptions& options, MoveStatistics& sum, bool closed) {
   const std::vector<Vec3> before = positions_of(mesh);
   const MoveResult result = move_safely(mesh, predicted, held, options);

@@ -21,7 +21,7 @@ std::vector<Vec3> positions_of(const SurfaceMesh& mesh);
 
 /// Moves, adds to `sum`, and expects: a clean audit (intersections are tested exactly), held vertices at the asked
 /// fraction of their way, to the bit when it is 1. False when something is wrong, so that a loop can stop.
-bool move_and_check(SurfaceMesh& mesh, const std::vector<Vec3>& predicted, const std::vector<char>& held,
+bool move_and_check(SurfaceMesh& mesh, const std::vector<Vec3>& predicted, const std::vector<Hold>& held,
                     const MoveOptions& options, MoveStatistics& sum, bool closed = true);
 
 /// For the test's log.

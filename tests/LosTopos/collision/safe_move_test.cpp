@@ -61,7 +61,7 @@ TEST(SafeMove, DoesNotReadDeadSlots) {
 TEST(SafeMove, RefusesWrongSizesAndOptions) {
   SurfaceMesh mesh = corner_tetrahedron();
   const std::vector<Vec3> predicted = positions_of(mesh);
-  const std::vector<char> held(3, 0);
+  const std::vector<Hold> held(3, Hold::none);
   EXPECT_THROW(move_safely(mesh, std::span(predicted).first(3), {}, {}), base::InputError);
   EXPECT_THROW(move_safely(mesh, predicted, held, {}), base::InputError);
   MoveOptions options;
@@ -118,10 +118,10 @@ TEST(SafeMove, CollidingElementsKeepTheirMomentum) {
 TEST(SafeMove, FreeElementsGiveWayToHeldOnes) {
   TipAboveFilm scene(0.5);
   std::vector<Vec3> predicted = positions_of(scene.mesh);
-  std::vector<char> held(scene.mesh.vertex_slots(), 0);
+  std::vector<Hold> held(scene.mesh.vertex_slots(), Hold::none);
   for (Vertex v : scene.film) {
     predicted[v.index()].z() += 0.7;
-    held[v.index()] = 1;
+    held[v.index()] = Hold::all;
   }
   EXPECT_EQ(move_safely(scene.mesh, predicted, held, {}).fraction, 1);
   for (Vertex v : scene.film) EXPECT_EQ(scene.mesh.position(v), predicted[v.index()]);
@@ -146,9 +146,9 @@ struct Plates {
     low = add_sheet(mesh, 2, Vec3(-1, -1, -1), Vec3(2, 0, 0), Vec3(0, 2, 0), {air, Region(1)});
     high = add_sheet(mesh, 2, Vec3(-1, -1.1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0), {Region(1), air});
     if (with_film) add_sheet(mesh, 5, Vec3(-0.9, -0.9, 0), Vec3(1.7, 0, 0), Vec3(0, 1.7, 0), {Region(1), Region(2)});
-    held.assign(mesh.vertex_slots(), 0);
+    held.assign(mesh.vertex_slots(), Hold::none);
     for (const auto* plate : {&low, &high}) {
-      for (Vertex v : *plate) held[v.index()] = 1;
+      for (Vertex v : *plate) held[v.index()] = Hold::all;
     }
   }
   std::vector<Vec3> closer_by(double distance) const {
@@ -159,7 +159,7 @@ struct Plates {
   }
   SurfaceMesh mesh;
   std::vector<Vertex> low, high;
-  std::vector<char> held;
+  std::vector<Hold> held;
 };
 
 TEST(SafeMove, HalvesTheStepWhenTheWholeCannotBeDone) {
@@ -198,7 +198,7 @@ TEST(SafeMove, FilmBetweenClosingPlatesIsKeptBetweenThem) {
   const double low = plates.mesh.position(plates.low[0]).z(), high = plates.mesh.position(plates.high[0]).z();
   EXPECT_NEAR(high - low, 0.02, 1e-12);
   for (Vertex v : plates.mesh.vertices()) {
-    if (plates.held[v.index()]) continue;
+    if (is_held(plates.held[v.index()])) continue;
     EXPECT_GT(plates.mesh.position(v).z(), low);
     EXPECT_LT(plates.mesh.position(v).z(), high);
   }

@@ -15,7 +15,7 @@ struct Points {
   explicit Points(std::size_t count, unsigned seed) : random(seed) {
     for (std::size_t i = 0; i < count; ++i) mesh.add_vertex(vector());
     for (std::size_t i = 0; i < count; ++i) predicted.push_back(mesh.position(Vertex(i)) + vector());
-    held.assign(count, 0);
+    held.assign(count, Hold::none);
   }
   double number() { return std::uniform_real_distribution(-1.0, 1.0)(random); }
   Vec3 vector() { return {number(), number(), number()}; }
@@ -33,7 +33,7 @@ struct Points {
   SurfaceMesh mesh;
   std::mt19937 random;
   std::vector<Vec3> predicted;
-  std::vector<char> held;
+  std::vector<Hold> held;
 };
 
 Vec3 sum_of_ends(const Motion& motion) {
@@ -58,7 +58,7 @@ TEST(Impulses, VertexIntoTheMiddleOfATriangle) {
 
 TEST(Impulses, HeldVerticesTakeNoneAndTheOthersGiveWay) {
   Points points(4, 2);
-  points.held = {1, 0, 1, 1};
+  points.held = {Hold::all, Hold::none, Hold::all, Hold::all};
   Motion motion(points.mesh, points.predicted, points.held);
   Contact contact = points.contact(0, 1, 2, 3);
   contact.weights = {0.5, 0.5, -0.25, -0.75};
@@ -70,7 +70,7 @@ TEST(Impulses, HeldVerticesTakeNoneAndTheOthersGiveWay) {
 
 TEST(Impulses, LeverageOnFreeVerticesIsBounded) {
   Points points(4, 3);
-  points.held = {1, 0, 1, 1};
+  points.held = {Hold::all, Hold::none, Hold::all, Hold::all};
   Motion motion(points.mesh, points.predicted, points.held);
   Contact contact = points.contact(0, 1, 2, 3);
   contact.weights = {1 - 1e-12, 1e-12, -1, 0};
@@ -83,7 +83,7 @@ TEST(Impulses, LeverageOnFreeVerticesIsBounded) {
 void compare_with_minimum_norm(std::size_t contact_count, unsigned seed) {
   Points points(2 * contact_count + 8, seed);
   const std::size_t n = points.predicted.size();
-  for (std::size_t i = 0; i < n; i += 7) points.held[i] = 1;
+  for (std::size_t i = 0; i < n; i += 7) points.held[i] = Hold::all;
   std::vector<Contact> contacts;
   for (std::size_t k = 0; k < contact_count; ++k) {
     contacts.push_back(points.contact(2 * k, 2 * k + 3, 2 * k + 4, 2 * k + 7));
@@ -97,7 +97,7 @@ void compare_with_minimum_norm(std::size_t contact_count, unsigned seed) {
     lacking[row] = contacts[k].target - relative_displacement(motion, contacts[k]);
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t v = contacts[k].pair.vertices[i].index();
-      if (points.held[v]) continue;
+      if (is_held(points.held[v])) continue;
       rows.block<1, 3>(row, static_cast<Eigen::Index>(3 * v)) +=
           contacts[k].weights[i] * contacts[k].normal.transpose();
     }
@@ -107,7 +107,7 @@ void compare_with_minimum_norm(std::size_t contact_count, unsigned seed) {
   for (std::size_t v = 0; v < n; ++v) {
     const Vec3 expected = points.predicted[v] + change.segment<3>(static_cast<Eigen::Index>(3 * v));
     EXPECT_LT((motion.ends()[v] - expected).norm(), 1e-4) << "vertex " << v;
-    if (points.held[v]) {
+    if (is_held(points.held[v])) {
       EXPECT_EQ(motion.ends()[v], points.predicted[v]);
     }
   }
@@ -134,7 +134,7 @@ TEST(ZoneSolver, RepeatedContactsDoNoHarmAndMomentumIsKept) {
 
 TEST(ZoneSolver, NothingToDoWhenAllAreHeld) {
   Points points(4, 5);
-  points.held = {1, 1, 1, 1};
+  points.held = {Hold::all, Hold::all, Hold::all, Hold::all};
   Motion motion(points.mesh, points.predicted, points.held);
   EXPECT_FALSE(solve_contacts(motion, std::vector{points.contact(0, 1, 2, 3)}));
 }
@@ -169,8 +169,8 @@ TEST(RigidMotion, KeepsDistancesAndMomentum) {
 
 TEST(RigidMotion, FollowsTheHeldOnes) {
   Points points(6, 8);
-  points.held[2] = 1;
-  points.held[4] = 1;
+  points.held[2] = Hold::all;
+  points.held[4] = Hold::all;
   const Vec3 shift(0.5, -0.25, 1);
   for (std::size_t i : {2u, 4u}) points.predicted[i] = points.mesh.position(Vertex(i)) + shift;
   Motion motion(points.mesh, points.predicted, points.held);

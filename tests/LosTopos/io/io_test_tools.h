@@ -11,6 +11,7 @@
 
 #include "Base/error.h"
 #include "LosTopos/io/byte_order.h"
+#include "LosTopos/io/rec.h"
 #include "LosTopos/io/surface_data.h"
 #include "tests/support/scratch_folder.h"
 
@@ -88,10 +89,12 @@ inline SurfaceData two_tetrahedra_with_circulation() {
   SurfaceData data = two_tetrahedra();
   data.declared_regions = 4;
   const Region one{1}, two{2}, three{3};
-  data.circulation.offsets = {0, 3, 6, 9, 10, 11, 12};
-  data.circulation.values = {{air, one, 0.25}, {air, two, 0.0},  {one, two, 3.0},     {air, one, -1.5},
-                             {air, two, 1e-9}, {one, two, -2.0}, {air, one, 0.1},     {air, two, 0.2},
-                             {one, two, 0.3},  {air, one, 7.0},  {air, two, 1.0 / 7}, {two, three, 11.0}};
+  data.pair_arrays.resize(1);
+  data.pair_arrays[0].name = rec_pair_array;
+  data.pair_arrays[0].offsets = {0, 3, 6, 9, 10, 11, 12};
+  data.pair_arrays[0].values = {{air, one, 0.25}, {air, two, 0.0},  {one, two, 3.0},     {air, one, -1.5},
+                                {air, two, 1e-9}, {one, two, -2.0}, {air, one, 0.1},     {air, two, 0.2},
+                                {one, two, 0.3},  {air, one, 7.0},  {air, two, 1.0 / 7}, {two, three, 11.0}};
   data.held = {{4, {0.3, 0.3, -1.0}}, {0, {0.0, 1e-17, 2.0}}};
   return data;
 }

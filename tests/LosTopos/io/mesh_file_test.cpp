@@ -17,7 +17,7 @@ TEST_F(MeshFileTest, EveryFormatKeepsTheSurface) {
     write_surface(file, two_tetrahedra_with_circulation());
     const SurfaceData data = read_surface(file);
     expect_same_surface(data, two_tetrahedra());
-    EXPECT_EQ(!data.circulation.empty() && !data.held.empty(), format.keeps_circulation) << format.extension;
+    EXPECT_EQ(!data.pair_arrays.empty() && !data.held.empty(), format.keeps_pair_arrays) << format.extension;
   }
 }
 

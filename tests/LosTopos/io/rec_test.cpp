@@ -58,8 +58,8 @@ TEST_F(RecTest, ReadsTheSoapFilmFlavourByHand) {
   EXPECT_EQ(data.labels, (std::vector<Labels>{{Region{1}, air}}));
   const std::vector<PairValue> expected{
       {air, Region{1}, used}, {air, Region{1}, 0.0}, {air, Region{1}, used}, {Region{1}, Region{2}, 4.0}};
-  EXPECT_EQ(data.circulation.values, expected);
-  EXPECT_EQ(data.circulation.offsets, (std::vector<std::size_t>{0, 1, 2, 4}));
+  EXPECT_EQ(data.pair_arrays.at(0).values, expected);
+  EXPECT_EQ(data.pair_arrays.at(0).offsets, (std::vector<std::size_t>{0, 1, 2, 4}));
   ASSERT_EQ(data.held.size(), 1U);
   EXPECT_EQ(data.held[0], (HeldVertex{2, {0.5, 0.25, -1.0}}));
 }
@@ -69,7 +69,7 @@ TEST_F(RecTest, ReadsTheTrackerFlavourByHand) {
   EXPECT_EQ(data.declared_regions, 0U);
   EXPECT_EQ(data.positions[2], Vec3(18.0, 24.5, 32.0));
   EXPECT_EQ(data.labels, (std::vector<Labels>{{Region{1}, air}, {Region{5}, Region{2}}}));
-  EXPECT_TRUE(data.circulation.empty());
+  EXPECT_TRUE(data.pair_arrays.empty());
   EXPECT_TRUE(data.held.empty());
 }
 
@@ -91,9 +91,9 @@ TEST_F(RecTest, WithoutCirculationZerosAreWrittenForThePairsThatMeet) {
   write_rec(path("a.rec"), two_tetrahedra());
   const SurfaceData data = read_rec(path("a.rec"));
   EXPECT_EQ(data.declared_regions, 3U);
-  EXPECT_EQ(data.circulation.at(0).size(), 3U);
-  EXPECT_EQ(data.circulation.at(3).size(), 1U);
-  EXPECT_EQ(data.circulation.at(5).size(), 0U);
+  EXPECT_EQ(data.pair_arrays.at(0).at(0).size(), 3U);
+  EXPECT_EQ(data.pair_arrays.at(0).at(3).size(), 1U);
+  EXPECT_EQ(data.pair_arrays.at(0).at(5).size(), 0U);
 }
 
 TEST_F(RecTest, EmptySurfaceRoundTripOfBothFlavours) {
@@ -101,7 +101,7 @@ TEST_F(RecTest, EmptySurfaceRoundTripOfBothFlavours) {
     write_rec(path("a.rec"), {}, flavour);
     const SurfaceData data = read_rec(path("a.rec"));
     EXPECT_TRUE(data.positions.empty() && data.triangles.empty() && data.held.empty());
-    EXPECT_EQ(data.circulation.empty(), flavour == RecFlavour::Tracker);
+    EXPECT_EQ(data.pair_arrays.empty(), flavour == RecFlavour::Tracker);
   }
 }
 
@@ -113,9 +113,9 @@ TEST_F(RecTest, ManyRegionsAreReadSparsely) {
   write_rec(path("a.rec"), data);
   const SurfaceData read = read_rec(path("a.rec"));
   expect_same_surface(read, data);
-  EXPECT_LE(read.circulation.values.size(), 16U);
-  ASSERT_FALSE(read.circulation.at(0).empty());
-  EXPECT_EQ(read.circulation.at(0).back(), (PairValue{Region{150}, Region{299}, 0.0}));
+  EXPECT_LE(read.pair_arrays.at(0).values.size(), 16U);
+  ASSERT_FALSE(read.pair_arrays.at(0).at(0).empty());
+  EXPECT_EQ(read.pair_arrays.at(0).at(0).back(), (PairValue{Region{150}, Region{299}, 0.0}));
 }
 
 TEST_F(RecTest, TooLargeForTheFormatIsRefused) {

@@ -57,6 +57,33 @@ TEST_F(VtpTest, RoundTripKeepsEveryBitAndTheArrays) {
   EXPECT_EQ(data.triangle_arrays, with_arrays().triangle_arrays);
 }
 
+TEST_F(VtpTest, EveryNamedAttributeThatIsANumberIsWritten) {
+  SurfaceMesh mesh = to_mesh(two_tetrahedra());
+  auto thickness = mesh.add_vertex_attribute<double>("thickness", carry::conserve);
+  auto velocity = mesh.add_vertex_attribute<Vec3>("velocity", carry::interpolate, Vec3::Zero());
+  auto layer = mesh.add_triangle_attribute<int>("layer", carry::copy);
+  const auto work = mesh.add_vertex_attribute<double>(1);
+  for (Vertex v : mesh.vertices()) {
+    thickness[v] = 1.0 / (3 + v.index());
+    velocity[v] = Vec3(1, 2, v.index());
+  }
+  mesh.remove_triangle(Triangle(1));
+  for (Triangle t : mesh.triangles()) layer[t] = static_cast<int>(t.index()) + 5;
+  write_vtp(path("a.vtp"), from_mesh_with_attributes(mesh));
+  const SurfaceData read = read_vtp(path("a.vtp"));
+  ASSERT_EQ(read.vertex_arrays.size(), 2U);
+  EXPECT_EQ(read.vertex_arrays[0].name, "thickness");
+  EXPECT_TRUE(std::ranges::equal(read.vertex_arrays[0].values, thickness.slots()));
+  EXPECT_EQ(read.vertex_arrays[1].name, "velocity");
+  EXPECT_EQ(read.vertex_arrays[1].components, 3);
+  EXPECT_EQ(read.vertex_arrays[1].values[5], 1);
+  ASSERT_EQ(read.triangle_arrays.size(), 1U);
+  EXPECT_EQ(read.triangle_arrays[0].name, "layer");
+  EXPECT_EQ(read.triangle_arrays[0].values.size(), mesh.triangle_count());
+  EXPECT_EQ(read.triangle_arrays[0].values[1], 7) << "the living ones in order";
+  EXPECT_TRUE(from_mesh(mesh).vertex_arrays.empty());
+}
+
 TEST_F(VtpTest, EmptySurfaceRoundTrip) {
   write_vtp(path("a.vtp"), {});
   EXPECT_EQ(read_vtp(path("a.vtp")), SurfaceData{});

@@ -45,8 +45,8 @@ std::optional<Refusal> perform(RemeshContext& context, const Step& step) {
 
 // Bounds so wide that hardly anything but topology and intersections can refuse.
 void run_sequence(SurfaceMesh mesh, std::span<const Vertex> held_vertices, bool closed, bool smooth_positions) {
-  auto held = mesh.add_vertex_attribute<char>(0);
-  for (Vertex v : held_vertices) held[v] = 1;
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
+  for (Vertex v : held_vertices) held[v] = Hold::all;
   RemeshOptions options = test::wide_bounds();
   options.use_butterfly = smooth_positions;
   const std::vector<Vec3> start(mesh.positions().begin(), mesh.positions().end());

@@ -100,7 +100,7 @@ class Operations : public ::testing::Test {
   void expect_done(SurfaceMesh& mesh, Element element, bool closed = true) {
     const auto volumes = region_volumes(mesh);
     const long euler = euler_characteristic(mesh);
-    auto held = mesh.add_vertex_attribute<char>(0);
+    auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
     Carrier carrier(mesh);
     const std::array<OperationObserver*, 1> observers = {&carrier};
     RemeshContext context(mesh, held, options, observers);
@@ -144,7 +144,7 @@ TEST_F(Operations, SplitOfAPlateauBorderKeepsThreeFilms) {
 TEST_F(Operations, SmoothSplitOfAPlateauBorderStaysOnTheCircle) {
   SurfaceMesh mesh = test::analytic_double_bubble(1, 24);
   options.use_butterfly = true;
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshContext context(mesh, held, options);
   EdgeSplit split(context);
   ASSERT_FALSE(split.attempt(test::first_edge(mesh, [&](Edge f) { return mesh.is_junction(f); })).has_value());
@@ -160,7 +160,7 @@ TEST_F(Operations, SplitFallsBackToTheMidpointWhereTheSmoothPositionIsTaken) {
   test::add_pebble(mesh, midpoint * (1 + 0.5 * (1 / midpoint.norm() - 1)), 0.003, air);
   ASSERT_EQ(audit(mesh).text(), "clean");
   options.use_butterfly = true;
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshContext context(mesh, held, options);
   EdgeSplit split(context);
   ASSERT_FALSE(split.attempt(e).has_value());
@@ -274,7 +274,7 @@ TEST_F(Operations, SmoothingOnCurvedFilmsKeepsTheVolumes) {
   }
   ASSERT_EQ(audit(mesh).text(), "clean");
   const auto before = region_volumes(mesh);
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshContext context(mesh, held, options);
   NullSpaceSmoothing smoothing(context);
   int moved = 0, moved_on_border = 0;
@@ -291,8 +291,8 @@ TEST_F(Operations, SmoothingOnCurvedFilmsKeepsTheVolumes) {
 
 TEST_F(Operations, CollapseOfAHeldAndAFreeVertexGoesToTheHeldOne) {
   SurfaceMesh mesh = test::hexagonal_patch(2);
-  auto held = mesh.add_vertex_attribute<char>(0);
-  held[Vertex(0)] = 1;
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
+  held[Vertex(0)] = Hold::all;
   const Edge e = mesh.edges(Vertex(0))[0];
   RemeshContext context(mesh, held, options);
   ASSERT_FALSE(EdgeCollapse(context).attempt(e).has_value());

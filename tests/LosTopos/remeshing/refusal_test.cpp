@@ -27,9 +27,9 @@ class Refused : public ::testing::Test {
   template <class Operation, class Element>
   void expect(Refusal reason, SurfaceMesh& mesh, Element element, const RemeshOptions& options = wide_bounds(),
               std::initializer_list<Vertex> held_vertices = {}) {
-    auto held = mesh.add_vertex_attribute<char>(0);
+    auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
     auto mark = mesh.add_vertex_attribute<int>(3);
-    for (Vertex v : held_vertices) held[v] = 1;
+    for (Vertex v : held_vertices) held[v] = Hold::all;
     MustStaySilent observer;
     const std::array<OperationObserver*, 1> observers = {&observer};
     const auto before = mesh.state();
@@ -195,7 +195,7 @@ SurfaceMesh valley() {
 
 TEST_F(Refused, SmoothingThatWouldHitAPebble) {
   SurfaceMesh free = valley(), hindered = valley();
-  auto held = free.add_vertex_attribute<char>(0);
+  auto held = free.add_vertex_attribute<Hold>(Hold::none);
   const RemeshOptions options = wide_bounds();
   RemeshContext context(free, held, options);
   ASSERT_FALSE(NullSpaceSmoothing(context).attempt(Vertex(0)).has_value());

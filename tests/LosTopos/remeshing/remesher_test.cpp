@@ -66,7 +66,7 @@ void expect_well_shaped(const SurfaceMesh& mesh, double h, double share_out) {
 void rest_for_100_rounds(SurfaceMesh mesh) {
   const auto volumes = region_volumes(mesh);
   const double rim = mean_rim_radius(mesh), h = mean_edge_length(mesh);
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshOptions options;
   options.target_edge = h;
   Remesher remesher(mesh, held, options);
@@ -97,7 +97,7 @@ TEST(RemeshingAtRest, DoubleBubbleOfMeridiansWithPoles24) {
 
 TEST(Remesher, AQuietPassChangesNotOneBit) {
   SurfaceMesh mesh = test::analytic_double_bubble(1, 16);
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshOptions options;
   options.target_edge = mean_edge_length(mesh);
   const auto before = mesh.state();
@@ -110,7 +110,7 @@ TEST(Remesher, AQuietPassChangesNotOneBit) {
 // Stretches the double bubble to three times its length and back by maps that keep volumes and cannot make the surface
 // intersect itself; all that changes volumes is remeshing.
 void stretch_and_remesh(SurfaceMesh& mesh, const RemeshOptions& options, int steps, BroadPhase* index = nullptr) {
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   Remesher remesher(mesh, held, options);
   for (int i = 0; i < steps; ++i) {
     const double f = i < steps / 2 ? 1.04 : 1 / 1.04;
@@ -191,7 +191,7 @@ TEST(Remesher, RefinesAndCoarsensToTheAskedResolution) {
     SurfaceMesh mesh = test::analytic_double_bubble(1, 32);
     RemeshOptions options;
     options.target_edge = factor * mean_edge_length(mesh);
-    auto held = mesh.add_vertex_attribute<char>(0);
+    auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
     const auto volumes = region_volumes(mesh);
     Remesher remesher(mesh, held, options);
     for (int round = 0; round < 10; ++round) remesher.run();
@@ -210,7 +210,7 @@ TEST(Remesher, MendsSliversByAggressiveRounds) {
   ASSERT_EQ(audit(mesh).text(), "clean");
   RemeshOptions options;
   options.target_edge = 0.3;
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   const RemeshStatistics statistics = Remesher(mesh, held, options).run();
   EXPECT_EQ(statistics.triangles_out_of_bounds, 0U);
   EXPECT_EQ(audit(mesh).text(), "clean");
@@ -219,8 +219,8 @@ TEST(Remesher, MendsSliversByAggressiveRounds) {
 TEST(Remesher, LeavesHeldVerticesInPlaceAndCountsWhatTheyHinder) {
   auto cube = test::cube_frame(6);
   SurfaceMesh& mesh = cube.mesh;
-  auto held = mesh.add_vertex_attribute<char>(0);
-  for (Vertex v : cube.frame) held[v] = 1;
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
+  for (Vertex v : cube.frame) held[v] = Hold::all;
   const std::vector<Vec3> before(mesh.positions().begin(), mesh.positions().end());
   RemeshOptions options;
   options.target_edge = 0.5 * mean_edge_length(mesh);
@@ -238,7 +238,7 @@ TEST(Remesher, LeavesHeldVerticesInPlaceAndCountsWhatTheyHinder) {
 
 TEST(Remesher, SaysWhatIsWrongWithItsOptions) {
   SurfaceMesh mesh = test::corner_tetrahedron();
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshOptions options;
   EXPECT_THROW(Remesher(mesh, held, options), base::InputError);
   options.target_edge = std::numeric_limits<double>::quiet_NaN();

@@ -82,9 +82,41 @@ std::optional<Refusal> perform(RemeshContext& context, double distance, const St
   }
 }
 
+// Attributes that go along: what has to hold of them after every operation.
+struct Cargo {
+  explicit Cargo(SurfaceMesh& of) : mesh(of) {
+    for (Vertex v : mesh.vertices()) {
+      density[v] = 1 + 0.5 * std::sin(3.0 * v.index());
+      share[v] = std::cos(7.0 * v.index());
+    }
+    for (Triangle t : mesh.triangles()) marked[t] = 1;
+    amount = integral();
+  }
+  double integral() const {
+    double sum = 0;
+    for (Triangle t : mesh.triangles())
+      for (Vertex v : mesh.vertices(t)) sum += area(mesh, t) / 3 * density[v];
+    return sum;
+  }
+  bool holds() const {
+    for (Vertex v : mesh.vertices())
+      if (!(std::abs(share[v]) <= 1 + 1e-12 && density[v] > 0)) return false;
+    for (Triangle t : mesh.triangles())
+      if (marked[t] != 1) return false;
+    return std::abs(integral() - amount) <= 1e-11 * amount;
+  }
+  SurfaceMesh& mesh;
+  VertexAttribute<double> density = mesh.add_vertex_attribute<double>("density", carry::conserve);
+  VertexAttribute<double> share = mesh.add_vertex_attribute<double>("share", carry::interpolate, 100);
+  TriangleAttribute<int> marked = mesh.add_triangle_attribute<int>("marked", carry::copy);
+  EdgeAttribute<int> line = mesh.add_edge_attribute<int>("line", carry::copy);
+  double amount = 0;
+};
+
 void run_sequence(SurfaceMesh mesh, std::span<const Vertex> held_vertices, bool closed) {
-  auto held = mesh.add_vertex_attribute<char>(0);
-  for (Vertex v : held_vertices) held[v] = 1;
+  const Cargo cargo(mesh);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
+  for (Vertex v : held_vertices) held[v] = Hold::all;
   const std::vector<Vec3> start(mesh.positions().begin(), mesh.positions().end());
   const double distance = 0.4 * mean_edge_length(mesh);
   RemeshContext context(mesh, held, test::wide_bounds());
@@ -97,6 +129,7 @@ void run_sequence(SurfaceMesh mesh, std::span<const Vertex> held_vertices, bool 
     }
     const AuditReport report = audit(mesh, {.closed_regions = closed});
     RC_ASSERT(report.text() == "clean");
+    RC_ASSERT(mesh.triangle_count() == 0 || cargo.holds());
   }
   for (Vertex v : held_vertices) {
     RC_ASSERT(mesh.alive(v));

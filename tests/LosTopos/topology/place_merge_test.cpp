@@ -15,9 +15,11 @@ namespace {
 
 struct Fixture {
   explicit Fixture(SurfaceMesh m)
-      : mesh(std::move(m)), held(mesh.add_vertex_attribute<char>(0)), context(mesh, held, test::wide_bounds()) {}
+      : mesh(std::move(m)),
+        held(mesh.add_vertex_attribute<Hold>(Hold::none)),
+        context(mesh, held, test::wide_bounds()) {}
   SurfaceMesh mesh;
-  VertexAttribute<char> held;
+  VertexAttribute<Hold> held;
   RemeshContext context;
 };
 
@@ -57,7 +59,7 @@ class Recorder final : public OperationObserver {
 
 TEST(PlaceMerge, TwoSpheresTouchAtOneVertex) {
   SurfaceMesh mesh = test::two_spheres(2, 0.05, Region(1), Region(2));
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   Recorder recorder;
   const std::array<OperationObserver*, 1> observers = {&recorder};
   RemeshContext context(mesh, held, test::wide_bounds(), observers);
@@ -117,7 +119,7 @@ TEST(PlaceMerge, RefusesWhatIsInTheWayAndLeavesEveryBit) {
   const auto before = f.mesh.state();
   EXPECT_EQ(PlaceMerge(f.context).attempt(site_at(f.mesh, left), site_at(f.mesh, right), {}), Refusal::intersection);
   EXPECT_TRUE(test::same_bits(before, f.mesh.state()));
-  f.held[left] = f.held[right] = 1;
+  f.held[left] = f.held[right] = Hold::all;
   EXPECT_EQ(PlaceMerge(f.context).attempt(site_at(f.mesh, left), site_at(f.mesh, right), {}), Refusal::held);
   EXPECT_TRUE(test::same_bits(before, f.mesh.state()));
 }
@@ -125,7 +127,7 @@ TEST(PlaceMerge, RefusesWhatIsInTheWayAndLeavesEveryBit) {
 TEST(PlaceMerge, HeldVerticesStay) {
   Fixture f(test::corner_tetrahedron_pair(0.1));
   const Vec3 place = f.mesh.position(Vertex(4));
-  f.held[Vertex(4)] = 1;
+  f.held[Vertex(4)] = Hold::all;
   PlaceMerge merge(f.context);
   ASSERT_EQ(merge.attempt(site_at(f.mesh, Vertex(0)), site_at(f.mesh, Vertex(4)), {}), std::nullopt);
   EXPECT_EQ(merge.result(), Vertex(4));

@@ -43,7 +43,7 @@ TEST(VertexSeparation, PointsOfAFoamWhereTooManyBordersMeetOpenAndSaveArea) {
   std::size_t opened = 0, points = 0;
   for (std::uint64_t seed : {1u, 2u, 3u}) {
     SurfaceMesh mesh = voronoi_foam({.cells = 30, .seed = seed, .shortest_side = 0.3});
-    auto held = mesh.add_vertex_attribute<char>(0);
+    auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
     RemeshContext context(mesh, held, test::wide_bounds());
     VertexSeparation separation(context, SeparationRule::area, 0.03, {});
     for (Vertex v : incomplete_vertices(mesh)) {
@@ -63,7 +63,7 @@ TEST(VertexSeparation, PointsOfAFoamWhereTooManyBordersMeetOpenAndSaveArea) {
 // Off the middle of a cube frame, as in it, nothing is gained by parting two of the six regions: the point stays.
 TEST(VertexSeparation, WhatWouldNotSaveAreaStays) {
   auto cube = test::cube_frame(4);
-  auto held = cube.mesh.add_vertex_attribute<char>(0);
+  auto held = cube.mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshContext context(cube.mesh, held, test::wide_bounds());
   const auto before = cube.mesh.state();
   EXPECT_EQ(VertexSeparation(context, SeparationRule::area, 0.05, {}).attempt(Vertex(0)), Refusal::not_better);
@@ -76,7 +76,7 @@ class FourColumns : public testing::TestWithParam<bool> {};
 TEST_P(FourColumns, TheLineBecomesTwoTripleLines) {
   const bool along_diagonal = GetParam();
   SurfaceMesh mesh = test::four_columns({Region(1), Region(2), Region(3), Region(4)});
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshContext context(mesh, held, test::wide_bounds());
   // Region 1 is at (1, 1), 3 opposite; the flow parts these, or regions 2 and 4.
   const Vec3 axis = Vec3(1, along_diagonal ? 1 : -1, 0).normalized();
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(BothWays, FourColumns, testing::Bool());
 
 TEST(VertexSeparation, AFlowThatConvergesSeparatesNothing) {
   SurfaceMesh mesh = test::four_columns({Region(1), Region(2), Region(3), Region(4)});
-  auto held = mesh.add_vertex_attribute<char>(0);
+  auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   RemeshContext context(mesh, held, test::wide_bounds());
   auto flow = [&](Vertex v) -> Vec3 { return -mesh.position(v); };
   VertexSeparation separation(context, SeparationRule::flow, 0.1, flow);
@@ -111,8 +111,8 @@ TEST(VertexSeparation, AFlowThatConvergesSeparatesNothing) {
 
 TEST(VertexSeparation, HeldVerticesAreNotSeparated) {
   auto cube = test::cube_frame(2);
-  auto held = cube.mesh.add_vertex_attribute<char>(0);
-  held[Vertex(0)] = 1;
+  auto held = cube.mesh.add_vertex_attribute<Hold>(Hold::none);
+  held[Vertex(0)] = Hold::all;
   RemeshContext context(cube.mesh, held, test::wide_bounds());
   const auto before = cube.mesh.state();
   EXPECT_EQ(VertexSeparation(context, SeparationRule::area, 0.1, {}).attempt(Vertex(0)), Refusal::held);

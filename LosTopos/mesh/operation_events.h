@@ -3,9 +3,12 @@
 #include <array>
 #include <span>
 
-#include "LosTopos/mesh/surface_mesh.h"
+#include "LosTopos/mesh/handles.h"
+#include "LosTopos/vec3.h"
 
 namespace lostopos {
+
+class SurfaceMesh;
 
 /// A triangle that an operation made and the one it takes the place of. In the `after_` events the parent is gone, but
 /// its slot is not in use again yet: attribute[parent] still holds its value, so that attribute[child] =
@@ -79,6 +82,8 @@ struct SeparationEvent {
 /// Is told of every operation that is done (never of one that is refused): `before_` with the mesh still as it was,
 /// then `after_` with the operation complete. Handles that the event calls gone may be read from attributes in the
 /// after-event (their slots are not in use again yet), but not from the mesh. An observer must not change the mesh.
+/// Named attributes are carried by then: in a `before_` they are untouched, in an `after_` what the operation makes of
+/// them.
 class OperationObserver {
  public:
   OperationObserver() = default;

@@ -1,0 +1,165 @@
+#include "FoamSim/sheet/circulation_values.h"
+
+#include <algorithm>
+#include <boost/container/flat_map.hpp>
+#include <optional>
+
+namespace foamsim {
+
+using lostopos::Edge;
+using lostopos::SurfaceMesh;
+using lostopos::Triangle;
+using lostopos::Vertex;
+
+namespace {
+
+template <class Values>
+auto find(Values& values, RegionPair pair) {
+  return std::ranges::lower_bound(values, pair, {}, &PairCirculation::pair);
+}
+
+std::optional<double> value_of(const VertexCirculation& values, RegionPair pair) {
+  const auto it = find(values, pair);
+  return it != values.end() && it->pair == pair ? std::optional(it->value) : std::nullopt;
+}
+
+// Mean of Γ^{pr} + Γ^{rq} over the regions r for which both are held; 0 where there is none.
+double sum_over_regions_between(const VertexCirculation& values, RegionPair pq) {
+  double sum = 0;
+  int ways = 0;
+  for (const PairCirculation& entry : values) {
+    if ((entry.pair.low == pq.low) == (entry.pair.high == pq.low)) continue;
+    const lostopos::Region between = entry.pair.low == pq.low ? entry.pair.high : entry.pair.low;
+    const auto rest = between == pq.high ? std::nullopt : value_of(values, RegionPair(between, pq.high));
+    if (!rest) continue;
+    sum += RegionPair::sign({pq.low, between}) * entry.value + RegionPair::sign({between, pq.high}) * *rest;
+    ++ways;
+  }
+  return ways > 0 ? sum / ways : 0.0;
+}
+
+boost::container::small_vector<RegionPair, 8> pairs_meeting_at(const SurfaceMesh& mesh, Vertex v) {
+  boost::container::small_vector<RegionPair, 8> pairs;
+  for (Triangle t : mesh.triangles(v)) {
+    const RegionPair pair(mesh.labels(t));
+    const auto it = std::ranges::lower_bound(pairs, pair);
+    if (it == pairs.end() || *it != pair) pairs.insert(it, pair);
+  }
+  return pairs;
+}
+
+double value_of_new_pair(std::span<const VertexCirculation> values, const SurfaceMesh& mesh, Vertex v,
+                         RegionPair pair) {
+  double sum = 0;
+  int holders = 0;
+  for (Edge e : mesh.edges(v))
+    if (const auto near = value_of(values[mesh.other_vertex(e, v).index()], pair)) {
+      sum += *near;
+      ++holders;
+    }
+  return holders > 0 ? sum / holders : sum_over_regions_between(values[v.index()], pair);
+}
+
+}  // namespace
+
+VertexCirculation interpolate(const VertexCirculation& a, const VertexCirculation& b, double t) {
+  VertexCirculation mixed = a;
+  for (PairCirculation& entry : mixed)
+    if (const auto other = value_of(b, entry.pair)) entry.value = (1 - t) * entry.value + t * *other;
+  for (const PairCirculation& entry : b)
+    if (const auto it = find(mixed, entry.pair); it == mixed.end() || it->pair != entry.pair) mixed.insert(it, entry);
+  return mixed;
+}
+
+VertexCirculation mean(std::span<const VertexCirculation> values, const lostopos::Place& place) {
+  if (place.count == 1) return values[place.vertices[0].index()];
+  struct Sum {
+    double value = 0, weight = 0;
+  };
+  boost::container::flat_map<RegionPair, Sum> sums;
+  for (std::size_t i = 0; i < place.count; ++i)
+    for (const PairCirculation& entry : values[place.vertices[i].index()]) {
+      if (!(place.weights[i] > 0)) continue;
+      Sum& sum = sums[entry.pair];
+      sum.value += place.weights[i] * entry.value;
+      sum.weight += place.weights[i];
+    }
+  VertexCirculation result;
+  for (const auto& [pair, sum] : sums) result.push_back({pair, sum.value / sum.weight});
+  return result;
+}
+
+void add_missing(std::span<VertexCirculation> values, const SurfaceMesh& mesh, Vertex v,
+                 const VertexCirculation& given) {
+  const auto pairs = pairs_meeting_at(mesh, v);
+  VertexCirculation& own = values[v.index()];
+  for (const PairCirculation& entry : given) {
+    if (!std::ranges::binary_search(pairs, entry.pair)) continue;
+    if (const auto it = find(own, entry.pair); it == own.end() || it->pair != entry.pair) own.insert(it, entry);
+  }
+}
+
+void match(std::span<VertexCirculation> values, const SurfaceMesh& mesh, std::span<const Vertex> vertices) {
+  // Two passes, so that a mean over neighbours never depends on the order in which vertices are visited.
+  boost::container::small_vector<std::pair<Vertex, VertexCirculation>, 4> changed;
+  for (Vertex v : vertices) {
+    const auto pairs = pairs_meeting_at(mesh, v);
+    if (std::ranges::equal(pairs, values[v.index()], {}, {}, &PairCirculation::pair)) continue;
+    VertexCirculation matched;
+    for (RegionPair pair : pairs) {
+      const auto own = value_of(values[v.index()], pair);
+      matched.push_back({pair, own ? *own : value_of_new_pair(values, mesh, v, pair)});
+    }
+    changed.emplace_back(v, std::move(matched));
+  }
+  for (auto& [v, matched] : changed) values[v.index()] = std::move(matched);
+}
+
+}  // namespace foamsim
+
+namespace lostopos {
+
+namespace {
+
+struct StoredPair {
+  std::uint32_t low, high;
+  double value;
+};
+
+}  // namespace
+
+void AttributeCodec<foamsim::VertexCirculation>::encode(std::span<const foamsim::VertexCirculation> values,
+                                                        std::vector<std::uint8_t>& bytes) {
+  std::vector<std::uint64_t> counts{values.size()};
+  std::vector<StoredPair> pairs;
+  for (const auto& of_vertex : values) {
+    counts.push_back(of_vertex.size());
+    for (const auto& [pair, value] : of_vertex) pairs.push_back({pair.low.index(), pair.high.index(), value});
+  }
+  PlainCodec<std::uint64_t>::encode(counts, bytes);
+  PlainCodec<StoredPair>::encode(pairs, bytes);
+}
+
+std::optional<std::vector<foamsim::VertexCirculation>> AttributeCodec<foamsim::VertexCirculation>::decode(
+    std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t word = sizeof(std::uint64_t);
+  if (bytes.size() < word) return {};
+  const std::uint64_t vertices = PlainCodec<std::uint64_t>::decode(bytes.first(word))->front();
+  if (vertices > bytes.size() / word - 1) return {};
+  const auto counts = PlainCodec<std::uint64_t>::decode(bytes.subspan(word, vertices * word));
+  const auto pairs = PlainCodec<StoredPair>::decode(bytes.subspan((vertices + 1) * word));
+  if (!counts || !pairs) return {};
+  std::vector<foamsim::VertexCirculation> values(vertices);
+  std::size_t next = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if ((*counts)[v] > pairs->size() - next) return {};
+    for (std::uint64_t i = 0; i < (*counts)[v]; ++i) {
+      const auto& [low, high, value] = (*pairs)[next++];
+      values[v].push_back({foamsim::RegionPair(Region(low), Region(high)), value});
+    }
+  }
+  if (next != pairs->size()) return {};
+  return values;
+}
+
+}  // namespace lostopos

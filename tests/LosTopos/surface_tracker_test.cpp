@@ -206,7 +206,7 @@ TEST(SurfaceTracker, ClosesManyGapsAndAttributesFollow) {
 
 TEST(SurfaceTracker, TellsAnObserverForAsLongAsItsTokenLives) {
   SurfaceMesh fine = test::analytic_double_bubble(1, 24);
-  const double h = 1.5 * mean_edge_length(fine);
+  const double h = 2.2 * mean_edge_length(fine);
   SurfaceTracker tracker(std::move(fine), {.resolution = h});
   Carry first(tracker.mesh()), second(tracker.mesh());
   ObserverToken outlives;

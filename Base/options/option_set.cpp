@@ -13,7 +13,18 @@ std::string prefix(std::string_view where) {
   return where.empty() ? std::string() : std::string(where) + ": ";
 }
 
+void require_known_words(const OptionSpec& spec, const OptionValue& value, std::string_view where) {
+  const auto require = [&](const std::string& word) {
+    if (std::ranges::find(spec.words, word) != spec.words.end()) return;
+    const std::vector<std::string_view> known(spec.words.begin(), spec.words.end());
+    throw InputError(prefix(where) + unknown_name_message(spec.words_are, word, known));
+  };
+  if (const auto* word = std::get_if<std::string>(&value)) require(*word);
+  if (const auto* list = std::get_if<std::vector<std::string>>(&value)) std::ranges::for_each(*list, require);
+}
+
 void require_allowed(const OptionSpec& spec, const OptionValue& value, std::string_view where) {
+  if (!spec.words.empty()) require_known_words(spec, value, where);
   const auto* number = std::get_if<double>(&value);
   const bool finite = number == nullptr || std::isfinite(*number);
   if (finite && (!spec.accepts || spec.accepts(value))) return;
@@ -23,14 +34,17 @@ void require_allowed(const OptionSpec& spec, const OptionValue& value, std::stri
 
 }  // namespace
 
-OptionSet::OptionSet(std::vector<OptionSpec> specs, std::string listed_by)
-    : specs_(std::move(specs)), listed_by_(std::move(listed_by)) {
+OptionSet::OptionSet(std::vector<OptionSpec> specs, std::string listed_by, std::vector<OptionSpec> elsewhere)
+    : specs_(std::move(specs)), elsewhere_(std::move(elsewhere)), listed_by_(std::move(listed_by)) {
   for (const OptionSpec& spec : specs_) entries_.push_back({spec.default_value});
 }
 
 std::size_t OptionSet::place_of(std::string_view key, std::string_view where) const {
   const auto it = std::ranges::find(specs_, key, &OptionSpec::key);
   if (it != specs_.end()) return static_cast<std::size_t>(it - specs_.begin());
+  if (const auto other = std::ranges::find(elsewhere_, key, &OptionSpec::key); other != elsewhere_.end())
+    throw InputError(prefix(where) + "option '" + std::string(key) + "' belongs to the " + other->owner.kind + " '" +
+                     other->owner.name + "'; it has no meaning here");
   std::vector<std::string_view> known;
   for (const OptionSpec& spec : specs_) known.push_back(spec.key);
   throw InputError(prefix(where) + unknown_name_message("option", key, known, listed_by_));
@@ -90,6 +104,10 @@ void OptionSet::set_assignment(std::string_view assignment, std::string_view whe
 
 const OptionValue& OptionSet::value(std::string_view key) const {
   return entries_[place_of(key, "")].value;
+}
+
+bool OptionSet::has(std::string_view key) const {
+  return std::ranges::find(specs_, key, &OptionSpec::key) != specs_.end();
 }
 
 bool OptionSet::is_set(std::string_view key) const {

@@ -15,8 +15,9 @@ namespace base {
 /// right.
 class OptionSet {
  public:
-  /// `listed_by`: a command that prints the options, for the message about a key that is not known.
-  explicit OptionSet(std::vector<OptionSpec> specs, std::string listed_by = {});
+  /// `listed_by`: a command that prints the options, for the message about a key that is not known. `elsewhere`:
+  /// options that this set does not have but another one does, so that their owner can be named.
+  explicit OptionSet(std::vector<OptionSpec> specs, std::string listed_by = {}, std::vector<OptionSpec> elsewhere = {});
 
   /// Sets an option from text as on the command line. "key+=word" text is handled by `append`.
   void set_text(std::string_view key, std::string_view text, std::string_view where);
@@ -37,6 +38,7 @@ class OptionSet {
   }
   const OptionValue& value(std::string_view key) const;
   bool is_set(std::string_view key) const;
+  bool has(std::string_view key) const;
   const std::vector<OptionSpec>& specs() const { return specs_; }
 
  private:
@@ -46,7 +48,7 @@ class OptionSet {
   };
   std::size_t place_of(std::string_view key, std::string_view where) const;
 
-  std::vector<OptionSpec> specs_;
+  std::vector<OptionSpec> specs_, elsewhere_;
   std::vector<Entry> entries_;
   std::string listed_by_;
 };

@@ -25,4 +25,13 @@ OptionSpec flag(std::string key, bool default_value, std::string summary) {
   return {std::move(key), default_value, std::move(summary), "true or false"};
 }
 
+OptionSpec word_from(std::string key, OptionValue default_value, std::string summary, std::string kind,
+                     std::vector<std::string> words) {
+  OptionSpec spec{std::move(key), std::move(default_value), std::move(summary), ""};
+  for (const std::string& word : words) spec.allowed += (spec.allowed.empty() ? "one of " : ", ") + word;
+  spec.words = std::move(words);
+  spec.words_are = std::move(kind);
+  return spec;
+}
+
 }  // namespace base

@@ -15,8 +15,14 @@ struct OptionSpec {
   std::string summary;  ///< one line, with the unit
   std::string allowed;  ///< what would be right, for the message when `accepts` says no
   std::function<bool(const OptionValue&)> accepts = {};  ///< empty: everything of the kind (numbers must be finite)
-  std::string effect = {};  ///< the part of the program that reads it, when it is not the scene itself
-  std::vector<std::string> words = {};  ///< not empty: the words that are allowed
+  /// Who reads it: the kind and the name of a model (see Registry). Empty: every scene.
+  struct Owner {
+    std::string kind, name;
+    bool operator==(const Owner&) const = default;
+  } owner = {};
+  /// Not empty: the words that are allowed, and what they are names of, for messages.
+  std::vector<std::string> words = {};
+  std::string words_are = {};
 };
 
 /// A finite number > 0 / ≥ 0, and a whole number ≥ least, as specs.
@@ -24,5 +30,8 @@ OptionSpec positive_number(std::string key, double default_value, std::string su
 OptionSpec non_negative_number(std::string key, double default_value, std::string summary);
 OptionSpec whole_number(std::string key, long default_value, long least, std::string summary);
 OptionSpec flag(std::string key, bool default_value, std::string summary);
+/// One of some words, or a list of them where the default is a list; `kind`: what they are names of.
+OptionSpec word_from(std::string key, OptionValue default_value, std::string summary, std::string kind,
+                     std::vector<std::string> words);
 
 }  // namespace base

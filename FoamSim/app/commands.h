@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "Base/console/command.h"
 #include "Base/console/program.h"
+#include "FoamSim/scenes/catalogue.h"
 
 namespace foamsim::app {
 
@@ -15,6 +17,7 @@ using base::exit_done;
 struct Program {
   std::string name;          ///< "foamsim", or that of another program with the same commands
   std::string command_line;  ///< as typed
+  std::shared_ptr<const Catalogue> catalogue = built_in_catalogue();  ///< not null
 };
 
 /// Adds a command to the program. Its action returns the exit code, or throws base::Error. `program` has to outlive it.

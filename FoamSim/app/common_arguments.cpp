@@ -1,8 +1,5 @@
 #include "FoamSim/app/common_arguments.h"
 
-#include "FoamSim/scenes/scene_registry.h"
-#include "FoamSim/sheet/pressure/vertex_area/registry.h"
-
 namespace foamsim::app {
 
 void add_threads(base::Command& command, int& threads) {
@@ -21,20 +18,11 @@ void add_output(base::Command& command, std::string& out, bool& force, const std
   command.add({.name = "--force", .target = &force, .help = "replace what the folder holds"});
 }
 
-void add_areas(base::Command& command, std::vector<std::string>& areas) {
-  command.add({.name = "--areas", .target = &areas, .help = "strategies, separated by commas", .names = area_names()});
-}
-
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  for (const SceneEntry& entry : scene_entries()) names.emplace_back(entry.name);
-  return names;
-}
-
-std::vector<std::string> area_names() {
-  std::vector<std::string> names;
-  for (const VertexAreaEntry& entry : vertex_area_strategies()) names.emplace_back(entry.name);
-  return names;
+void add_areas(base::Command& command, std::vector<std::string>& areas, const Catalogue& catalogue) {
+  command.add({.name = "--areas",
+               .target = &areas,
+               .help = "strategies, separated by commas",
+               .names = catalogue.sheet.areas.names()});
 }
 
 }  // namespace foamsim::app

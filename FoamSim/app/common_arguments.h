@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Base/console/command.h"
+#include "FoamSim/scenes/catalogue.h"
 
 namespace foamsim::app {
 
@@ -12,10 +13,6 @@ void add_threads(base::Command& command, int& threads);
 void add_quiet(base::Command& command, bool& quiet);
 /// --out and --force of a command that makes `what` ("accuracy.csv and the plot").
 void add_output(base::Command& command, std::string& out, bool& force, const std::string& what);
-void add_areas(base::Command& command, std::vector<std::string>& areas);
-
-/// What there is to choose from.
-std::vector<std::string> scene_names();
-std::vector<std::string> area_names();
+void add_areas(base::Command& command, std::vector<std::string>& areas, const Catalogue& catalogue);
 
 }  // namespace foamsim::app

@@ -44,7 +44,7 @@ int compare(const Arguments& arguments, const Program& program) {
     return exit_done;
   }
   if (given.scene.empty()) throw base::InputError("compare needs a scene (see 'foamsim scenes')");
-  const Scene scene = given.load(program);
+  const Scene scene = given.load(program, arguments.areas);
   RunSettings settings{given.out, given.force, {}, given.stop(), program.command_line};
   if (settings.out.empty()) settings.out = std::filesystem::path("out") / ("compare-" + scene.name);
   const ThreadLimit limit = thread_limit(given.threads);
@@ -73,8 +73,8 @@ int compare(const Arguments& arguments, const Program& program) {
 void add_compare_command(base::Command& root, const Program& program) {
   base::Command& command = root.add_command("compare", "run a scene with each area strategy: table, plot, pictures");
   auto arguments = std::make_shared<Arguments>();
-  arguments->scene.add_to(command, false);
-  add_areas(command, arguments->areas);
+  arguments->scene.add_to(command, program, false);
+  add_areas(command, arguments->areas, *program.catalogue);
   command.add({.name = "--no-pictures", .target = &arguments->no_pictures, .help = "table only"});
   command.add({.name = "--show",
                .target = &arguments->show,

@@ -1,9 +1,6 @@
 #include "FoamSim/app/manual.h"
 
-#include "FoamSim/effects/registry.h"
 #include "FoamSim/scenes/scene.h"
-#include "FoamSim/scenes/scene_registry.h"
-#include "FoamSim/sheet/pressure/vertex_area/registry.h"
 
 namespace foamsim::app {
 namespace {
@@ -37,14 +34,16 @@ Section files() {
 
 }  // namespace
 
-base::Manual manual() {
+base::Manual manual(const Catalogue& catalogue) {
   return {
       "Simulates soap films and foams as vortex sheets on a tracked surface. A run's folder holds the files named "
       "below.\n\nA scene is a built-in one, a .toml file that names one and sets options, a mesh file, or an option "
       "file of the reference program.",
-      {section_of("scenes", scene_entries()), section_of("effects", effect_entries()),
-       section_of("area strategies", vertex_area_strategies()),
-       Section{"option keys (--set key=value, or in a .toml file)", base::manual_entries(scene_option_specs())},
+      {section_of("scenes", catalogue.scenes), section_of("effects", catalogue.effects),
+       section_of("area strategies", catalogue.sheet.areas), section_of("pressure schemes", catalogue.sheet.pressures),
+       section_of("velocity sums", catalogue.sheet.velocities), section_of("integrators", catalogue.integrators),
+       section_of("constraints", catalogue.constraints),
+       Section{"option keys (--set key=value, or in a .toml file)", base::manual_entries(all_option_specs(catalogue))},
        exit_status(), files(), Section{"environment", {{"NO_COLOR", "when set, messages are not coloured"}}}}};
 }
 

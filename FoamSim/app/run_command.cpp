@@ -90,7 +90,7 @@ int run(const Arguments& arguments, const Program& program) {
   const bool resuming = !arguments.resume.empty();
   if (resuming && (!given.scene.empty() || !given.assignments.empty() || !given.area.empty() || given.seed))
     throw base::InputError("--resume goes on with the scene of the checkpoint; leave out the scene and its options");
-  const Scene scene = resuming ? built_in_scene("sphere") : given.load(program);
+  const Scene scene = resuming ? built_in_scene("sphere", program.catalogue) : given.load(program);
   if (settings.out.empty() && !resuming) settings.out = std::filesystem::path("out") / scene.name;
   const ThreadLimit limit = thread_limit(given.threads);
   if (given.explain && !resuming) print_active(scene);
@@ -118,7 +118,7 @@ int run(const Arguments& arguments, const Program& program) {
 void add_run_command(base::Command& root, const Program& program) {
   base::Command& command = root.add_command("run", "simulate a scene");
   auto arguments = std::make_shared<Arguments>();
-  arguments->scene.add_to(command, true);
+  arguments->scene.add_to(command, program, true);
   command.add({.name = "--resume",
                .target = &arguments->resume,
                .help = "go on from this checkpoint.cbor",

@@ -7,8 +7,9 @@
 
 namespace foamsim {
 
-int run_program(int argc, char** argv) {
+int run_program(int argc, char** argv, std::shared_ptr<const Catalogue> catalogue) {
   app::Program program;
+  program.catalogue = std::move(catalogue);
   program.name = base::program_name(argc, argv, "foamsim");
   program.command_line = base::command_text(program.name, argc, argv);
   base::CommandLine line(program.name, "soap films and foams by vortex sheets", std::string(version));
@@ -22,7 +23,7 @@ int run_program(int argc, char** argv) {
     app::add_inspect_command(root, program);
     app::add_convert_command(root, program);
     app::add_list_commands(root, program);
-    base::add_generate_command(commands, app::manual);
+    base::add_generate_command(commands, [&program] { return app::manual(*program.catalogue); });
   });
 }
 

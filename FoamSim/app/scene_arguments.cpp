@@ -23,21 +23,24 @@ void require_no_folder(const std::filesystem::path& path, const Program& program
 
 }  // namespace
 
-void SceneArguments::add_to(base::Command& command, bool with_area) {
+void SceneArguments::add_to(base::Command& command, const Program& program, bool with_area) {
+  const Catalogue& catalogue = *program.catalogue;
   using Offers = base::Argument::Offers;
   command.add({.name = "scene",
                .target = &scene,
                .help = "a built-in scene, a .toml scene file, a reference option file (.txt), or a mesh file",
-               .names = scene_names(),
+               .names = catalogue.scenes.names(),
                .offers = Offers::files});
   if (with_area)
-    command.add(
-        {.name = "--area", .target = &area, .help = "area strategy (see 'foamsim effects')", .names = area_names()});
+    command.add({.name = "--area",
+                 .target = &area,
+                 .help = "area strategy (see 'foamsim effects')",
+                 .names = catalogue.sheet.areas.names()});
   command.add({.name = "--set",
                .target = &assignments,
                .help = "key=value, or key+=word for lists; repeat for more (see 'foamsim scenes')",
                .list = base::Argument::List::words,
-               .assigns = scene_option_specs()});
+               .assigns = all_option_specs(catalogue)});
   command.add({.name = "--time", .target = &time, .help = "stop at this simulated time"});
   command.add({.name = "--steps", .target = &steps, .help = "stop after this many steps"});
   command.add({.name = "--until-rest", .target = &until_rest, .help = "stop when the surface is at rest"});
@@ -52,13 +55,13 @@ void SceneArguments::add_to(base::Command& command, bool with_area) {
   command.add({.name = "--explain", .target = &explain, .help = "print what is active and what each stage costs"});
 }
 
-Scene SceneArguments::load(const Program& program) const {
+Scene SceneArguments::load(const Program& program, std::span<const std::string> also_used) const {
   require_no_folder(scene, program);
-  Scene loaded = load_scene(scene);
+  Scene loaded = load_scene(scene, program.catalogue);
   for (const std::string& assignment : assignments) loaded.options.set_assignment(assignment, "--set");
   if (!area.empty()) loaded.options.set("area", area, "--area");
   if (seed) loaded.options.set("seed", *seed, "--seed");
-  validate(loaded);
+  validate(loaded, also_used);
   for (const std::string& note : loaded.notes)
     if (!quiet) base::print_warning(program.name, note);
   return loaded;

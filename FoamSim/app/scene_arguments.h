@@ -20,9 +20,9 @@ struct SceneArguments {
   int threads = 0;
 
   /// `with_area`: also take --area.
-  void add_to(base::Command& command, bool with_area);
-  /// The scene with all of it applied; validated.
-  Scene load(const Program& program) const;
+  void add_to(base::Command& command, const Program& program, bool with_area);
+  /// The scene with all of it applied; validated (see validate for `also_used`).
+  Scene load(const Program& program, std::span<const std::string> also_used = {}) const;
   StopAt stop() const;
 };
 

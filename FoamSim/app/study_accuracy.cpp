@@ -90,7 +90,7 @@ void add_study_accuracy(base::Command& study, const Program& program) {
   auto arguments = std::make_shared<Arguments>();
   AccuracyOptions& options = arguments->options;
   command.add({.name = "--sizes", .target = &options.sizes, .help = "N, separated by commas"});
-  add_areas(command, options.areas);
+  add_areas(command, options.areas, *program.catalogue);
   command.add({.name = "--integrators",
                .target = &options.integrators,
                .help = "integrators, separated by commas",

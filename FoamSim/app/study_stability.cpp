@@ -99,7 +99,7 @@ int study_stability_command(Arguments& arguments) {
 
 }  // namespace
 
-void add_study_stability(base::Command& study, const Program&) {
+void add_study_stability(base::Command& study, const Program& program) {
   base::Command& command = study.add_command(
       "stability", "named hard cases with each strategy, remeshing on and off: a verdict for each, failures included");
   auto arguments = std::make_shared<Arguments>();
@@ -110,7 +110,7 @@ void add_study_stability(base::Command& study, const Program&) {
                .target = &options.cases,
                .help = "cases, separated by commas (default: all)",
                .names = case_names()});
-  add_areas(command, options.areas);
+  add_areas(command, options.areas, *program.catalogue);
   command.add({.name = "--remeshing",
                .target = &arguments->remeshing,
                .help = "on, off or both",

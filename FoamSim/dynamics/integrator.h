@@ -5,27 +5,62 @@
 #include <string_view>
 #include <vector>
 
+#include "Base/options/option_set.h"
+#include "Base/registry/registry.h"
 #include "LosTopos/vec3.h"
 
 namespace foamsim {
 
-/// How positions are advanced in the velocity field of a step's fixed circulation.
-enum class Integrator {
-  euler,  ///< explicit Euler: x + u(x) dt
-  rk4,    ///< the classical fourth-order Runge–Kutta method: velocities again at three stage positions
+/// What an integrator may ask of the step: both for an instant `after` (T) the step's start, in arrays of one entry a
+/// vertex slot.
+struct StageMotion {
+  /// Writes the velocity (L/T) of points at `positions` (L).
+  std::function<void(double after, std::span<const lostopos::Vec3> positions, std::span<lostopos::Vec3> velocity)>
+      velocity;
+  /// Lets effects and constraints change positions that have been arrived at; to be called for those of every stage and
+  /// for those at the end.
+  std::function<void(double after, std::span<lostopos::Vec3> positions)> correct;
 };
 
-/// Throws base::InputError for an unknown name.
-Integrator integrator_by_name(std::string_view name);
-std::string_view name(Integrator integrator);
+/// How positions are advanced in the velocity field of a step's fixed circulation.
+class Integrator {
+ public:
+  Integrator() = default;
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+  virtual ~Integrator() = default;
+  /// Predicted positions after dt (T) from x, given the velocity u there.
+  virtual void advance(double dt, std::span<const lostopos::Vec3> x, std::span<const lostopos::Vec3> u,
+                       const StageMotion& motion, std::vector<lostopos::Vec3>& predicted) = 0;
+};
 
-/// Writes the velocity (L/T) of points at `positions` into `velocity`; both have one entry a vertex slot.
-using VelocityFunction =
-    std::function<void(std::span<const lostopos::Vec3> positions, std::span<lostopos::Vec3> velocity)>;
+/// Explicit Euler: x + u(x) dt. Asks for no further velocity.
+class Euler final : public Integrator {
+ public:
+  void advance(double dt, std::span<const lostopos::Vec3> x, std::span<const lostopos::Vec3> u,
+               const StageMotion& motion, std::vector<lostopos::Vec3>& predicted) override;
+};
 
-/// Predicted positions after dt from x, given the velocity u there. Calls `velocity_at` three times for rk4, never for
-/// euler.
-void integrate(Integrator integrator, double dt, std::span<const lostopos::Vec3> x, std::span<const lostopos::Vec3> u,
-               const VelocityFunction& velocity_at, std::vector<lostopos::Vec3>& predicted);
+/// The classical fourth-order Runge–Kutta method: velocities again at three stage positions.
+class RungeKutta4 final : public Integrator {
+ public:
+  void advance(double dt, std::span<const lostopos::Vec3> x, std::span<const lostopos::Vec3> u,
+               const StageMotion& motion, std::vector<lostopos::Vec3>& predicted) override;
+
+ private:
+  std::vector<lostopos::Vec3> stage_, k_, sum_;
+};
+
+/// What an integrator may be made from: the options, with its own.
+struct IntegratorSetup {
+  const base::OptionSet& options;
+};
+using IntegratorEntry = base::Model<Integrator, IntegratorSetup>;
+
+/// The built-in integrators: euler, rk4.
+const base::Registry<IntegratorEntry>& integrators();
+
+/// A built-in integrator with the defaults of its options. Throws base::InputError for an unknown name.
+std::unique_ptr<Integrator> make_integrator(std::string_view name);
 
 }  // namespace foamsim

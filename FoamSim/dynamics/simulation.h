@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "Base/timing/stage_times.h"
+#include "FoamSim/constraints/constraint.h"
 #include "FoamSim/dynamics/integrator.h"
-#include "FoamSim/dynamics/topology_totals.h"
+#include "FoamSim/dynamics/simulation_state.h"
 #include "FoamSim/effects/effect.h"
 #include "FoamSim/sheet/circulation.h"
 #include "FoamSim/sheet/surface_geometry.h"
@@ -19,9 +20,16 @@ struct SimulationOptions {
   double dt = 0.01;       ///< length of a step, T, > 0
   double delta = 0;       ///< Biot–Savart regularisation δ, L; 0: 0.75 h̄
   double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
-  Integrator integrator = Integrator::euler;
   /// How the surface is moved and remeshed; its resolution is set to h̄. Nothing is remeshed unless it says so.
   lostopos::TrackerOptions tracker = {.remeshing = false};
+};
+
+/// What a simulation is made of besides its surface: each chosen by whoever makes it.
+struct SimulationParts {
+  std::vector<std::unique_ptr<Effect>> effects = {};          ///< act in this order
+  std::vector<std::unique_ptr<Constraint>> constraints = {};  ///< act after them, in this order
+  std::unique_ptr<BiotSavart> velocity = {};                  ///< not null
+  std::unique_ptr<Integrator> integrator = {};                ///< not null
 };
 
 /// h̄: options.resolution, or the mean over the mesh's edges where that is 0.
@@ -49,14 +57,13 @@ struct StepReport {
 /// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: METHOD "One time step".
 class Simulation {
  public:
-  /// Starts at rest (Γ = 0), at time 0. Effects act in the order given. `held` vertices stay where they are: films end
-  /// there at a wire or frame. Values that wait in the mesh ("hold", "solid", "circulation") are taken. Throws
-  /// base::InputError for a mesh without triangles or options out of range.
-  Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options, std::vector<std::unique_ptr<Effect>> effects,
-             std::span<const lostopos::Vertex> held = {});
+  /// Starts at rest (Γ = 0), at time 0. Values that wait in the mesh ("hold", "solid", "circulation") are taken. Throws
+  /// base::InputError for a mesh without triangles, options out of range, or parts that are missing.
+  Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options, SimulationParts parts);
 
-  /// One step of dt: curvature and other effects on Γ, velocity, predicted positions, the tracker's move, remeshing.
-  /// Throws lostopos::MotionError when the surface cannot be moved; positions are then those before the step.
+  /// One step of dt: effects and constraints on Γ, velocity, predicted positions, the tracker's move, topology and
+  /// remeshing. Throws lostopos::MotionError when the surface cannot be moved, and whatever an effect throws; the whole
+  /// state is then the one before the step, to the bit.
   StepReport step();
 
   const lostopos::SurfaceMesh& mesh() const { return tracker_->mesh(); }
@@ -68,7 +75,8 @@ class Simulation {
   std::span<const std::uint8_t> solid() const;
   /// Areas, angles and region lists of the surface as it is now.
   const SurfaceGeometry& geometry() const { return geometry_; }
-  const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
+  const std::vector<std::unique_ptr<Effect>>& effects() const { return parts_.effects; }
+  const std::vector<std::unique_ptr<Constraint>>& constraints() const { return parts_.constraints; }
   const SimulationOptions& options() const { return options_; }
   double resolution() const { return resolution_; }
   double delta() const { return delta_; }
@@ -77,14 +85,23 @@ class Simulation {
   /// Sum of the effects' potential energies of the surface as it is now.
   double potential_energy() const;
   const TopologyTotals& topology_totals() const { return topology_totals_; }
-  /// Continues the counts of an earlier run.
-  void set_steps(long steps) { steps_ = steps; }
-  void set_topology_totals(const TopologyTotals& totals) { topology_totals_ = totals; }
+
+  /// @name State
+  ///@{
+  SimulationState state() const;
+  /// The same into one that is there, whose memory is used again.
+  void save(SimulationState& state) const;
+  /// Puts everything back. Throws base::InputError when the state is one of other effects or constraints.
+  void restore(const SimulationState& state);
+  ///@}
 
  private:
+  StepReport make_step();
   EffectStep effect_step() const;
-  void apply_effects(base::StageTimes& times);
-  void move_vertices(base::StageTimes& times);
+  void change_circulation(base::StageTimes& times);
+  void predict(StepReport& report);
+  void add_effects_velocity(const Stage& stage, std::span<lostopos::Vec3> velocity, base::StageTimes& times);
+  void correct_positions(double time, std::span<lostopos::Vec3> positions, base::StageTimes& times);
   void track(StepReport& report);
   // Γ̄ of the sheet's triangles as they are now, without region constants.
   std::vector<double> gather_circulation();
@@ -93,7 +110,7 @@ class Simulation {
   SimulationOptions options_;
   std::unique_ptr<lostopos::SurfaceTracker> tracker_;
   std::unique_ptr<CirculationField> circulation_;
-  std::vector<std::unique_ptr<Effect>> effects_;
+  SimulationParts parts_;
   SheetVelocity velocity_;
   SurfaceGeometry geometry_;
   std::vector<SheetTriangle> sheet_;
@@ -101,6 +118,7 @@ class Simulation {
   double resolution_ = 0, delta_ = 0;
   long steps_ = 0;
   TopologyTotals topology_totals_;
+  SimulationState before_;  ///< the step that is being made
 };
 
 }  // namespace foamsim

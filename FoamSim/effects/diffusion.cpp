@@ -1,10 +1,9 @@
 #include "FoamSim/effects/diffusion.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
+
+#include "LosTopos/mesh/for_each_living.h"
 
 namespace foamsim {
 
@@ -56,12 +55,10 @@ void Diffusion::update_circulation(const EffectStep& step, CirculationField& cir
     begin_[i + 1] = begin_[i] + (step.mesh.alive(Vertex(i)) ? circulation.at(Vertex(i)).size() : 0);
   smoothed_.resize(begin_.back());
   auto for_all_values = [&](auto&& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, step.mesh.vertex_slots(), 256),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t i = range.begin(); i != range.end(); ++i)
-                          for (std::size_t k = begin_[i]; k != begin_[i + 1]; ++k)
-                            body(Vertex(i), circulation.at(Vertex(i))[k - begin_[i]], smoothed_[k]);
-                      });
+    lostopos::for_each_vertex(step.mesh, [&](Vertex v) {
+      for (std::size_t k = begin_[v.index()]; k != begin_[v.index() + 1]; ++k)
+        body(v, circulation.at(v)[k - begin_[v.index()]], smoothed_[k]);
+    });
   };
   for_all_values([&](Vertex v, PairCirculation& held, double& smoothed) {
     smoothed = smoothed_value(step.mesh, circulation, v, held, fraction);

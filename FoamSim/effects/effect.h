@@ -1,25 +1,13 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string_view>
 
+#include "FoamSim/effects/effect_step.h"
 #include "FoamSim/sheet/circulation.h"
-#include "FoamSim/sheet/surface_geometry.h"
-#include "LosTopos/mesh/hold.h"
 
 namespace foamsim {
-
-/// What an effect sees of the step that is being made.
-struct EffectStep {
-  const lostopos::SurfaceMesh& mesh;
-  const SurfaceGeometry& geometry;            ///< of the mesh's present positions
-  double time;                                ///< at the start of the step, T
-  double dt;                                  ///< T
-  std::span<const lostopos::Hold> held = {};  ///< by vertex slot, what a wire or frame holds; empty: nothing
-
-  /// Whether all of v is held.
-  bool is_held(lostopos::Vertex v) const { return v.index() < held.size() && lostopos::is_held(held[v.index()]); }
-};
 
 /// Something that acts on the sheet: constructed only for a scene that names it, with its own options and state.
 class Effect {
@@ -31,14 +19,27 @@ class Effect {
 
   /// Its name in the registry.
   virtual std::string_view name() const = 0;
+  /// Called once, before the first step: the place to add named attributes to the mesh, which then follow it, are
+  /// written and are resumed by themselves.
+  virtual void attach(lostopos::SurfaceMesh& /*mesh*/) {}
+
   /// Changes Γ over step.dt. Called once a step, in the order of the registry, before velocities are evaluated.
   virtual void update_circulation(const EffectStep& /*step*/, CirculationField& /*circulation*/) {}
-  /// Changes where vertices go in the step: `predicted` has one position (L) a vertex slot, those that the air's motion
-  /// leads to. Called once a step, in the order of the registry, on the surface that update_circulation saw; vertices
-  /// that are held stay whatever it says.
-  virtual void move_vertices(const EffectStep& /*step*/, std::span<lostopos::Vec3> /*predicted*/) {}
+  /// Adds to the velocities (L/T, one a vertex slot) at a stage of the integrator, those that the sheet induces there:
+  /// once a step for euler, four times for rk4.
+  virtual void add_velocity(const Stage& /*stage*/, std::span<lostopos::Vec3> /*velocity*/) {}
+  /// Changes positions (L, one a vertex slot) that the integrator has arrived at: those of its stages, and those at the
+  /// end of the step (stage.time is then time + dt); stage.positions are these positions. Held vertices go where their
+  /// constraint says whatever this does.
+  virtual void move_vertices(const Stage& /*stage*/, std::span<lostopos::Vec3> /*positions*/) {}
   /// Potential energy over air density (L⁵/T²) that it has given to the surface as it is now.
   virtual double potential_energy(const SurfaceGeometry& /*geometry*/) const { return 0.0; }
+
+  /// What it has to remember from step to step besides attributes of the mesh; null: nothing. Kept in checkpoints, and
+  /// put back when a step fails.
+  virtual nlohmann::json state() const;
+  /// Takes back what `state` gave. Throws base::InputError for anything else.
+  virtual void restore(const nlohmann::json& state);
 };
 
 }  // namespace foamsim

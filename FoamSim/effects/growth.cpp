@@ -1,22 +1,17 @@
 #include "FoamSim/effects/growth.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "LosTopos/mesh/air_side.h"
+#include "LosTopos/mesh/for_each_living.h"
 
 namespace foamsim {
 
 using lostopos::Vec3;
 using lostopos::Vertex;
 
-void Growth::move_vertices(const EffectStep& step, std::span<Vec3> predicted) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, step.mesh.vertex_slots(), 256),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        if (const Vertex v(i); step.mesh.alive(v))
-                          predicted[i] += rate_ * step.dt * lostopos::air_side_normal(step.mesh, v);
-                    });
+void Growth::add_velocity(const Stage& stage, std::span<Vec3> velocity) {
+  const lostopos::SurfaceMesh& mesh = stage.step.mesh;
+  lostopos::for_each_vertex(
+      mesh, [&](Vertex v) { velocity[v.index()] += rate_ * lostopos::air_side_normal(mesh, v, stage.positions); });
 }
 
 }  // namespace foamsim

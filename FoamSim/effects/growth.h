@@ -11,7 +11,7 @@ class Growth final : public Effect {
   /// `rate`: speed of the films, L/T, ≥ 0.
   explicit Growth(double rate) : rate_(rate) {}
   std::string_view name() const override { return "growth"; }
-  void move_vertices(const EffectStep& step, std::span<lostopos::Vec3> predicted) override;
+  void add_velocity(const Stage& stage, std::span<lostopos::Vec3> velocity) override;
 
  private:
   double rate_;

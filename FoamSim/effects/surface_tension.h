@@ -3,16 +3,17 @@
 #include <memory>
 
 #include "FoamSim/effects/effect.h"
-#include "FoamSim/sheet/pressure/curvature.h"
+#include "FoamSim/sheet/pressure/pressure_scheme.h"
 
 namespace foamsim {
 
-/// Γ_v^{pq} += σ (H_v^p − H_v^q) dt (Da et al. 2015): the pressure jump of curved films drives the air. At held
-/// vertices Γ stays: the force there is the wire's.
+/// Γ_v^{pq} += c (P_v^p − P_v^q) dt with a pressure scheme's values P and coefficient c (for edge_angle σ (H_v^p −
+/// H_v^q), Da et al. 2015): the pressure jump of curved films drives the air. At held vertices Γ stays: the force there
+/// is the wire's.
 class SurfaceTension final : public Effect {
  public:
   /// `sigma`: tension of one film side over density, L³/T², ≥ 0.
-  SurfaceTension(double sigma, std::unique_ptr<CurvatureScheme> scheme) : sigma_(sigma), scheme_(std::move(scheme)) {}
+  SurfaceTension(double sigma, std::unique_ptr<PressureScheme> scheme) : sigma_(sigma), scheme_(std::move(scheme)) {}
   std::string_view name() const override { return "surface_tension"; }
   void update_circulation(const EffectStep& step, CirculationField& circulation) override;
   /// 4σ times the total area: the jump of the potential is 2Γ, so both sides of a film together pull with 4σ.
@@ -20,8 +21,8 @@ class SurfaceTension final : public Effect {
 
  private:
   double sigma_;
-  std::unique_ptr<CurvatureScheme> scheme_;
-  CurvatureField curvature_;
+  std::unique_ptr<PressureScheme> scheme_;
+  Pressures pressures_;
 };
 
 }  // namespace foamsim

@@ -7,7 +7,6 @@
 #include "Base/io/atomic_file.h"
 #include "Base/options/options_json.h"
 #include "LosTopos/error.h"
-#include "LosTopos/mesh/state_json.h"
 
 namespace foamsim {
 
@@ -17,17 +16,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int version = 3;
+constexpr int version = 4;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34;
-
-json topology_json(const TopologyTotals& t) {
-  return {t.snaps, t.edge_merges, t.separations, t.region_collapses, t.cancelled_triangles};
-}
-
-TopologyTotals topology_from(const json& value) {
-  const auto counts = value.get<std::array<std::size_t, 5>>();
-  return {counts[0], counts[1], counts[2], counts[3], counts[4]};
-}
 
 json volumes_json(const std::vector<lostopos::RegionVolume>& volumes) {
   json list = json::array();
@@ -35,15 +25,15 @@ json volumes_json(const std::vector<lostopos::RegionVolume>& volumes) {
   return list;
 }
 
-Checkpoint checkpoint_from(const json& value) {
+Checkpoint checkpoint_from(const json& value, std::shared_ptr<const Catalogue> catalogue) {
   if (value.at("format") != "foamsim checkpoint" || value.at("version") != version)
     throw base::InputError("it is not a checkpoint of version " + std::to_string(version));
-  Scene scene{value.at("scene"), value.at("mesh_file"), base::OptionSet(scene_option_specs()), {}};
+  const std::string mesh_file = value.at("mesh_file");
+  Scene scene = mesh_file.empty() ? built_in_scene(value.at("scene").get<std::string>(), std::move(catalogue))
+                                  : mesh_scene(mesh_file, std::move(catalogue));
   base::options_from_json(value.at("options"), scene.options);
   Checkpoint checkpoint{.scene = std::move(scene),
-                        .mesh = SurfaceMesh::from_state(lostopos::mesh_state_from_json(value.at("mesh"))),
-                        .step = value.at("step"),
-                        .topology = topology_from(value.at("topology")),
+                        .state = simulation_state_from_json(value.at("state")),
                         .resolution = value.at("resolution"),
                         .start_volumes = {},
                         .start_centroid = lostopos::Vec3::Zero()};
@@ -63,19 +53,17 @@ void write_checkpoint(const std::filesystem::path& file, const Scene& scene, con
                    {"scene", scene.name},
                    {"mesh_file", scene.mesh_file},
                    {"options", base::options_to_json(scene.options)},
-                   {"step", simulation.steps()},
-                   {"topology", topology_json(simulation.topology_totals())},
                    {"resolution", simulation.resolution()},
                    {"start_volumes", volumes_json(start_volumes)},
                    {"start_centroid", {start_centroid.x(), start_centroid.y(), start_centroid.z()}},
-                   {"mesh", lostopos::to_json(simulation.mesh().state())}};
+                   {"state", to_json(simulation.state())}};
   const std::vector<std::uint8_t> bytes = json::to_cbor(value);
   base::AtomicFile out(file);
   out.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   out.commit();
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& file) {
+Checkpoint read_checkpoint(const std::filesystem::path& file, std::shared_ptr<const Catalogue> catalogue) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
@@ -85,7 +73,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes(size);
   in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   try {
-    return checkpoint_from(json::from_cbor(bytes));
+    return checkpoint_from(json::from_cbor(bytes), std::move(catalogue));
   } catch (const json::exception& problem) {
     throw base::InputError(file.string() + " is not a whole checkpoint: " + problem.what());
   } catch (const base::Error& problem) {
@@ -93,11 +81,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
   }
 }
 
-Simulation resume(Checkpoint& checkpoint) try {
-  // The attributes of the checkpoint wait in the mesh for those of the simulation.
-  Simulation simulation = make_simulation(checkpoint.scene, std::move(checkpoint.mesh), checkpoint.resolution, {});
-  simulation.set_steps(checkpoint.step);
-  simulation.set_topology_totals(checkpoint.topology);
+Simulation resume(const Checkpoint& checkpoint) try {
+  Simulation simulation =
+      make_simulation(checkpoint.scene, SurfaceMesh::from_state(checkpoint.state.tracker), checkpoint.resolution, {});
+  simulation.restore(checkpoint.state);
   return simulation;
 } catch (const lostopos::MeshError& problem) {
   throw base::InputError(std::string("it is not a whole checkpoint: ") + problem.what());

@@ -10,9 +10,7 @@ namespace foamsim {
 /// What a run needs to go on as if it had not stopped, to the bit.
 struct Checkpoint {
   Scene scene;
-  lostopos::SurfaceMesh mesh;  ///< with the values of its named attributes (circulation, hold, ...), which wait in it
-  long step = 0;
-  TopologyTotals topology;
+  SimulationState state;
   double resolution = 0;                              ///< h̄, L
   std::vector<lostopos::RegionVolume> start_volumes;  ///< at the start of the run
   lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();
@@ -23,9 +21,11 @@ void write_checkpoint(const std::filesystem::path& file, const Scene& scene, con
                       const std::vector<lostopos::RegionVolume>& start_volumes, const lostopos::Vec3& start_centroid);
 
 /// Throws base::InputError, naming the file, for anything that is not a whole checkpoint of a known version.
-Checkpoint read_checkpoint(const std::filesystem::path& file);
+/// `catalogue`: what its names mean.
+Checkpoint read_checkpoint(const std::filesystem::path& file,
+                           std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());
 
-/// The simulation that goes on from the checkpoint; takes the mesh out of it.
-Simulation resume(Checkpoint& checkpoint);
+/// The simulation that goes on from the checkpoint. Throws base::InputError when its parts do not fit.
+Simulation resume(const Checkpoint& checkpoint);
 
 }  // namespace foamsim

@@ -74,7 +74,7 @@ std::vector<ComparedRun> compare_areas(const Scene& scene, const std::vector<std
   for (const std::string& area : areas) {
     scenes.push_back(scene);
     scenes.back().options.set("area", area, "--areas");
-    validate(scenes.back());
+    validate(scenes.back(), areas);
   }
   if (!settings.force && std::filesystem::exists(settings.out / "compare.csv"))
     throw base::InputError(settings.out.string() +

@@ -36,8 +36,8 @@ Start start_from_scene(const Scene& scene) {
   return {scene, std::move(simulation), std::move(volumes), centroid};
 }
 
-Start start_from_checkpoint(const std::filesystem::path& file) {
-  Checkpoint checkpoint = read_checkpoint(file);
+Start start_from_checkpoint(const std::filesystem::path& file, std::shared_ptr<const Catalogue> catalogue) {
+  Checkpoint checkpoint = read_checkpoint(file, std::move(catalogue));
   Simulation simulation = resume(checkpoint);
   return {std::move(checkpoint.scene), std::move(simulation), std::move(checkpoint.start_volumes),
           checkpoint.start_centroid};
@@ -169,7 +169,7 @@ std::string_view name(RunEnd end) {
 
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks) {
   const bool resuming = !settings.resume.empty();
-  Start start = resuming ? start_from_checkpoint(settings.resume) : start_from_scene(scene);
+  Start start = resuming ? start_from_checkpoint(settings.resume, scene.catalogue) : start_from_scene(scene);
   const auto folder = settings.out.empty() ? settings.resume.parent_path() : settings.out;
   const bool going_on = resuming && same_folder(folder, settings.resume.parent_path());
   const RunDirectory directory = going_on ? RunDirectory::open(folder) : RunDirectory::create(folder, settings.force);

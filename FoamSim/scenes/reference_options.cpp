@@ -95,13 +95,13 @@ void apply(const Line& line, std::string_view ours, Scene& scene) {
 
 }  // namespace
 
-Scene read_reference_options(const std::string& file) {
+Scene read_reference_options(const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
   const std::vector<Line> lines = read_lines(file);
   const auto scene_line = std::ranges::find(lines, "scene", &Line::key);
   if (scene_line == lines.end()) throw base::InputError(file + ": an option file needs a line 'scene NAME'");
   Scene scene = [&] {
     try {
-      return built_in_scene(scene_line->value);
+      return built_in_scene(scene_line->value, std::move(catalogue));
     } catch (const base::InputError& error) {
       throw base::InputError(scene_line->where + ": " + error.what());
     }
@@ -114,7 +114,7 @@ Scene read_reference_options(const std::string& file) {
       throw base::InputError(line.where + ": " + error.what());
     }
     if (ours == "scene") continue;
-    if (ours.empty())
+    if (ours.empty() || !scene.options.has(ours))
       scene.notes.push_back(line.where + ": '" + line.key + "' has no meaning here and is left out");
     else
       apply(line, ours, scene);

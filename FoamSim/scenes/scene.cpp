@@ -5,12 +5,8 @@
 #include <filesystem>
 
 #include "Base/error.h"
-#include "Base/names/nearest_name.h"
-#include "FoamSim/effects/registry.h"
 #include "FoamSim/scenes/reference_options.h"
-#include "FoamSim/scenes/scene_registry.h"
 #include "FoamSim/scenes/toml_scene.h"
-#include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "LosTopos/io/mesh_file.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/tracker_options.h"
@@ -23,35 +19,30 @@ using lostopos::Vertex;
 
 namespace {
 
-std::vector<base::OptionSpec> general_option_specs() {
-  return {
-      base::whole_number("n", 3, 0, "size of the built-in shape (see 'foamsim scenes')"),
-      base::whole_number("mode", 0, 0, "sphere: start in this oscillation mode; 0: none"),
-      {"amplitude", 0.02, "sphere: the mode's amplitude over the radius", "a number between -1 and 1",
-       [](const base::OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
-      base::positive_number("gap", 0.1, "twobubbles: distance between the two at the start, L"),
-      {"speed", 0.5, "twobubbles: of each towards the other at the start, L/T; 0: at rest", "a finite number"},
-      base::whole_number("spheres", 8, 1, "foaminit: number of spheres"),
-      {"layout", std::string("grid"), "foaminit: grid (jittered) or random", "grid or random",
-       [](const base::OptionValue& value) {
-         return std::get<std::string>(value) == "grid" || std::get<std::string>(value) == "random";
-       }},
-      {"displacement", 0.2, "triplejunction, quadjunction: of the junction at the start, L",
-       "a number between -1 and 1",
-       [](const base::OptionValue& value) { return std::abs(std::get<double>(value)) < 1; }},
+std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
+  using base::name_of;
+  std::vector<base::OptionSpec> specs{
       base::positive_number("dt", 0.01, "length of a step, T"),
       base::non_negative_number("time", 4, "simulated time, T"),
       base::non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
       base::non_negative_number("delta", 0, "Biot-Savart regularisation, L; 0: 0.75 resolution"),
-      {"integrator", std::string("euler"), "euler or rk4", "euler or rk4"},
-      {"effects", std::vector<std::string>{"surface_tension", "diffusion"},
-       "what acts on the films, separated by commas", "names from 'foamsim effects'"},
+      name_of("integrator", std::string("euler"), "how positions are advanced", catalogue.integrators),
+      name_of("velocity", std::string("direct"), "how velocities are summed", catalogue.sheet.velocities),
+      name_of("effects", std::vector<std::string>{"surface_tension", "diffusion"},
+              "what acts on the films, separated by commas", catalogue.effects),
+      name_of("constraints", std::vector<std::string>{"frame"}, "what holds films at their edges",
+              catalogue.constraints),
+      name_of("pressure", std::string("edge_angle"), "what drives circulation", catalogue.sheet.pressures),
+      name_of("area", std::string("averaged"), "area that normalises curvature at junctions", catalogue.sheet.areas),
       base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
       base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
       base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
       base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
       base::whole_number("seed", 0, 0, "seed of everything random"),
   };
+  std::ranges::find(specs, "pressure", &base::OptionSpec::key)->owner = {"effect", "surface_tension"};
+  std::ranges::find(specs, "area", &base::OptionSpec::key)->owner = {"pressure scheme", "edge_angle"};
+  return specs;
 }
 
 // Remeshing and topology changes are on unless a scene says otherwise.
@@ -61,10 +52,29 @@ lostopos::TrackerOptions tracker_defaults() {
   return defaults;
 }
 
-void require_known_names(const base::OptionSet& options) {
-  for (const std::string& effect : options.words("effects")) base::find_by_name(effect_entries(), effect, "effect");
-  base::find_by_name(vertex_area_strategies(), options.word("area"), "area strategy");
-  integrator_by_name(options.word("integrator"));
+template <class Entry>
+void append_options(std::vector<base::OptionSpec>& specs, const base::Registry<Entry>& registry) {
+  for (const Entry& entry : registry) specs.insert(specs.end(), entry.options.begin(), entry.options.end());
+}
+
+bool contains(std::span<const std::string> words, const std::string& word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// Whether the scene uses the owner of an option.
+bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
+          std::span<const std::string> also_used) {
+  const auto& [kind, name] = owner;
+  if (kind == "effect") return contains(options.words("effects"), name);
+  if (kind == "constraint") return contains(options.words("constraints"), name);
+  if (kind == "velocity sum") return options.word("velocity") == name;
+  if (kind == "integrator") return options.word("integrator") == name;
+  if (kind == "pressure scheme")
+    return contains(options.words("effects"), "surface_tension") && options.word("pressure") == name;
+  if (kind == "area strategy")
+    return uses(options, {"pressure scheme", "edge_angle"}, also_used) &&
+           (options.word("area") == name || contains(also_used, name));
+  return true;
 }
 
 // With what a file of the reference program holds besides the surface.
@@ -92,7 +102,7 @@ void mark_solids(StartSurface& start) {
 }
 
 StartSurface start_surface(const Scene& scene) {
-  if (scene.mesh_file.empty()) return {scene_by_name(scene.name).build(scene.options)};
+  if (scene.mesh_file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
   StartSurface start{lostopos::to_mesh(data)};
   if (const auto* circulation = find_pair_array(data, lostopos::rec_pair_array)) start.circulation = *circulation;
@@ -106,7 +116,8 @@ StartSurface start_surface(const Scene& scene) {
 
 void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simulation& simulation) {
   if (scene.mesh_file.empty()) {
-    if (const auto set_motion = scene_by_name(scene.name).set_motion) set_motion(scene.options, simulation);
+    if (const auto& set_motion = scene.catalogue->scenes.find(scene.name).set_motion)
+      set_motion(scene.options, simulation);
     return;
   }
   for (std::size_t v = 0; v + 1 < given.offsets.size(); ++v)
@@ -116,39 +127,68 @@ void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simu
 
 }  // namespace
 
-std::vector<base::OptionSpec> scene_option_specs() {
-  std::vector<base::OptionSpec> specs = general_option_specs();
+std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue) {
+  std::vector<base::OptionSpec> specs = general_option_specs(catalogue);
   for (base::OptionSpec& spec : lostopos::tracker_option_specs(tracker_defaults())) specs.push_back(std::move(spec));
-  for (const EffectEntry& effect : effect_entries())
-    specs.insert(specs.end(), effect.options.begin(), effect.options.end());
+  append_options(specs, catalogue.effects);
+  append_options(specs, catalogue.constraints);
+  append_options(specs, catalogue.sheet.pressures);
+  append_options(specs, catalogue.sheet.areas);
+  append_options(specs, catalogue.sheet.velocities);
+  append_options(specs, catalogue.integrators);
   return specs;
 }
 
-Scene built_in_scene(std::string_view name) {
-  const SceneEntry& entry = scene_by_name(name);
-  Scene scene{std::string(entry.name), "", base::OptionSet(scene_option_specs(), "foamsim scenes"), {}};
-  for (const auto& [key, value] : entry.defaults) scene.options.set_default(key, value);
-  return scene;
+std::vector<base::OptionSpec> all_option_specs(const Catalogue& catalogue) {
+  std::vector<base::OptionSpec> specs;
+  const auto add = [&specs](const std::vector<base::OptionSpec>& more) {
+    for (const base::OptionSpec& spec : more)
+      if (std::ranges::find(specs, spec.key, &base::OptionSpec::key) == specs.end()) specs.push_back(spec);
+  };
+  for (const SceneEntry& scene : catalogue.scenes) add(scene.options);
+  add(common_option_specs(catalogue));
+  return specs;
 }
 
-Scene load_scene(const std::string& what) {
-  const std::filesystem::path path(what);
-  const std::string extension = path.extension().string();
-  if (extension == ".toml") return read_toml_scene(what);
-  if (extension == ".txt") return read_reference_options(what);
-  if (lostopos::find_mesh_format(what) != nullptr)
-    return {path.stem().string(), what, base::OptionSet(scene_option_specs(), "foamsim scenes"), {}};
-  return built_in_scene(what);
+base::OptionSet options_of(const Catalogue& catalogue, const SceneEntry* scene) {
+  std::vector<base::OptionSpec> specs, elsewhere;
+  if (scene != nullptr) specs = scene->options;
+  for (base::OptionSpec& spec : common_option_specs(catalogue)) specs.push_back(std::move(spec));
+  for (const SceneEntry& other : catalogue.scenes)
+    if (scene == nullptr || other.name != scene->name)
+      elsewhere.insert(elsewhere.end(), other.options.begin(), other.options.end());
+  base::OptionSet options(std::move(specs), "foamsim scenes", std::move(elsewhere));
+  if (scene != nullptr)
+    for (const auto& [key, value] : scene->defaults) options.set_default(key, value);
+  return options;
 }
 
-void validate(const Scene& scene) {
-  require_known_names(scene.options);
-  const auto& active = scene.options.words("effects");
+Scene built_in_scene(std::string_view name, std::shared_ptr<const Catalogue> catalogue) {
+  const SceneEntry& entry = catalogue->scenes.find(name);
+  base::OptionSet options = options_of(*catalogue, &entry);
+  return {entry.name, "", std::move(options), {}, std::move(catalogue)};
+}
+
+Scene mesh_scene(const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
+  base::OptionSet options = options_of(*catalogue, nullptr);
+  return {std::filesystem::path(file).stem().string(), file, std::move(options), {}, std::move(catalogue)};
+}
+
+Scene load_scene(const std::string& what, std::shared_ptr<const Catalogue> catalogue) {
+  const std::string extension = std::filesystem::path(what).extension().string();
+  if (extension == ".toml") return read_toml_scene(what, std::move(catalogue));
+  if (extension == ".txt") return read_reference_options(what, std::move(catalogue));
+  if (lostopos::find_mesh_format(what) != nullptr) return mesh_scene(what, std::move(catalogue));
+  return built_in_scene(what, std::move(catalogue));
+}
+
+void validate(const Scene& scene, std::span<const std::string> also_used) {
   for (const base::OptionSpec& spec : scene.options.specs()) {
-    if (spec.effect.empty() || !scene.options.is_set(spec.key)) continue;
-    if (std::ranges::find(active, spec.effect) == active.end())
-      throw base::InputError("option '" + spec.key + "' belongs to the effect '" + spec.effect +
-                             "', which this scene does not use; add it with --set effects+=" + spec.effect);
+    const auto& [kind, name] = spec.owner;
+    if (kind.empty() || !scene.options.is_set(spec.key) || uses(scene.options, spec.owner, also_used)) continue;
+    const std::string help = kind == "effect" ? "; add it with --set effects+=" + name : "";
+    throw base::InputError("option '" + spec.key + "' belongs to the " + kind + " '" + name +
+                           "', which this scene does not use" + help);
   }
 }
 
@@ -160,15 +200,29 @@ SimulationOptions simulation_options(const base::OptionSet& options) {
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
-          .integrator = integrator_by_name(options.word("integrator")),
           .tracker = lostopos::tracker_options(options)};
 }
 
-Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution, std::span<const Vertex> held) {
+SimulationParts simulation_parts(const Scene& scene, double resolution, const std::vector<Vertex>& edges) {
+  const base::OptionSet& options = scene.options;
+  const Catalogue& catalogue = *scene.catalogue;
+  SimulationParts parts{
+      .effects = make_effects(catalogue.effects, options.words("effects"), {options, resolution, catalogue.sheet}),
+      .constraints = {},
+      .velocity = catalogue.sheet.velocities.find(options.word("velocity")).make({options}),
+      .integrator = catalogue.integrators.find(options.word("integrator")).make({options})};
+  for (const ConstraintEntry& entry : catalogue.constraints)
+    if (contains(options.words("constraints"), entry.name))
+      parts.constraints.push_back(entry.make({options, resolution, edges}));
+  return parts;
+}
+
+Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution,
+                           const std::vector<Vertex>& edges) {
   validate(scene);
   SimulationOptions options = simulation_options(scene.options);
   options.resolution = resolution;
-  return {std::move(surface), options, make_effects(scene.options.words("effects"), {scene.options, resolution}), held};
+  return {std::move(surface), options, simulation_parts(scene, resolution, edges)};
 }
 
 Simulation make_simulation(const Scene& scene) {

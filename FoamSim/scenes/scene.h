@@ -5,6 +5,7 @@
 
 #include "Base/options/option_set.h"
 #include "FoamSim/dynamics/simulation.h"
+#include "FoamSim/scenes/catalogue.h"
 
 namespace foamsim {
 
@@ -13,34 +14,46 @@ struct Scene {
   std::string name;       ///< of the built-in shape, or the mesh file's stem
   std::string mesh_file;  ///< start surface; empty: the built-in shape `name`
   base::OptionSet options;
-  std::vector<std::string> notes;  ///< what was read and has no meaning here, for the user to know
+  std::vector<std::string> notes;              ///< what was read and has no meaning here, for the user to know
+  std::shared_ptr<const Catalogue> catalogue;  ///< what its names mean; not null
 };
 
-/// The options that every scene has, with their defaults: the general ones and those of every effect.
-std::vector<base::OptionSpec> scene_option_specs();
+/// The options that every scene has, with their defaults: the general ones, the tracker's, and those of every effect,
+/// strategy and so on of the catalogue.
+std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue);
+/// These and the own ones of all scenes, each key once: what --set may be followed by.
+std::vector<base::OptionSpec> all_option_specs(const Catalogue& catalogue);
+/// The options of a built-in scene, its own first, or with null of a scene that starts from a mesh file.
+base::OptionSet options_of(const Catalogue& catalogue, const SceneEntry* scene);
+
+/// A scene that starts from a mesh file, with the defaults.
+Scene mesh_scene(const std::string& file, std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());
 
 /// A scene from what a user names: a built-in scene, a .toml scene file, a reference option file (.txt), or a mesh file
 /// (.ply, .obj, .rec, .arec) as start surface. Throws base::InputError (unknown name, file and line of what is
 /// wrong).
-Scene load_scene(const std::string& what);
+Scene load_scene(const std::string& what, std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());
 
 /// The built-in scene of that name with its defaults. Throws base::InputError with the nearest name.
-Scene built_in_scene(std::string_view name);
+Scene built_in_scene(std::string_view name, std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());
 
-/// Checks what single options cannot: effects and strategies exist, options belong to effects that the scene names.
-void validate(const Scene& scene);
+/// Checks what single options cannot: that each option that is set is read by something that the scene uses. Scenes
+/// that are compared have one set of options: `also_used` are area strategies of the others.
+void validate(const Scene& scene, std::span<const std::string> also_used = {});
 
 /// The start surface. Throws base::InputError for a bad size or file.
 lostopos::SurfaceMesh build_surface(const Scene& scene);
 
 SimulationOptions simulation_options(const base::OptionSet& options);
+/// The effects, constraints, velocity sum and integrator that the scene names. `edges`: where films end.
+SimulationParts simulation_parts(const Scene& scene, double resolution, const std::vector<lostopos::Vertex>& edges);
 
 /// The simulation of the scene from its start. Validates first. A film that ends at a free edge ends at a frame: the
-/// vertices on such edges are held, and so are those that a mesh file says are.
+/// vertices on such edges are held, and so are those that a mesh file says are (constraint "frame").
 Simulation make_simulation(const Scene& scene);
-/// The same, at rest, from a given surface (of a checkpoint, say); `resolution` is h̄ (L), `held` the vertices that are
-/// held.
+/// The same, at rest, from a given surface (of a checkpoint, say); `resolution` is h̄ (L), `edges` the vertices where
+/// films end.
 Simulation make_simulation(const Scene& scene, lostopos::SurfaceMesh surface, double resolution,
-                           std::span<const lostopos::Vertex> held);
+                           const std::vector<lostopos::Vertex>& edges);
 
 }  // namespace foamsim

@@ -1,29 +1,30 @@
 #pragma once
 
-#include <string_view>
+#include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "Base/options/option_set.h"
+#include "Base/registry/registry.h"
 #include "FoamSim/dynamics/simulation.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace foamsim {
 
-/// A built-in scene: how its start surface is made, and which of its options' defaults differ from the general ones.
+/// A start surface that users know by name: how it is made, its own options, and which defaults of the general ones it
+/// changes.
 struct SceneEntry {
-  std::string_view name;
-  std::string_view summary;
-  std::vector<std::pair<std::string_view, base::OptionValue>> defaults;
-  std::string_view uses;  ///< what n (and other shape options) mean here
-  lostopos::SurfaceMesh (*build)(const base::OptionSet&);
-  /// Gives the films their circulation at the start; null: at rest.
-  void (*set_motion)(const base::OptionSet&, Simulation&) = nullptr;
+  std::string name;
+  std::string summary;
+  std::vector<base::OptionSpec> options;  ///< its own; their owner is set by the registry
+  std::vector<std::pair<std::string, base::OptionValue>> defaults;
+  std::function<lostopos::SurfaceMesh(const base::OptionSet&)> build;
+  /// Gives the films their circulation at the start; empty: at rest.
+  std::function<void(const base::OptionSet&, Simulation&)> set_motion = {};
 };
 
-/// All built-in scenes. A new one is a shape and an entry in the table.
-const std::vector<SceneEntry>& scene_entries();
-
-/// Throws base::InputError with the nearest name.
-const SceneEntry& scene_by_name(std::string_view name);
+/// The built-in scenes. A new one is a shape and an entry here, or an entry that a program adds to its own catalogue.
+const base::Registry<SceneEntry>& built_in_scenes();
 
 }  // namespace foamsim

@@ -46,7 +46,7 @@ void read_table(const toml::table& table, const std::string& prefix, const std::
   }
 }
 
-Scene start_of(const toml::table& table, const std::string& file) {
+Scene start_of(const toml::table& table, const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
   const toml::node* scene = table.get("scene");
   const toml::node* mesh = table.get("mesh");
   if ((scene == nullptr) == (mesh == nullptr))
@@ -58,11 +58,10 @@ Scene start_of(const toml::table& table, const std::string& file) {
   if (mesh != nullptr) {
     if (lostopos::find_mesh_format(name) == nullptr)
       throw base::InputError(where + ": '" + name + "' is not a mesh file; known are " + lostopos::mesh_extensions());
-    const auto path = std::filesystem::path(file).parent_path() / name;
-    return {path.stem().string(), path.string(), base::OptionSet(scene_option_specs(), "foamsim scenes"), {}};
+    return mesh_scene((std::filesystem::path(file).parent_path() / name).string(), std::move(catalogue));
   }
   try {
-    return built_in_scene(name);
+    return built_in_scene(name, std::move(catalogue));
   } catch (const base::InputError& error) {
     throw base::InputError(where + ": " + error.what());
   }
@@ -70,7 +69,7 @@ Scene start_of(const toml::table& table, const std::string& file) {
 
 }  // namespace
 
-Scene read_toml_scene(const std::string& file) {
+Scene read_toml_scene(const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
   if (!std::filesystem::is_regular_file(file)) throw base::FileError(file + ": there is no such scene file");
   toml::table table;
   try {
@@ -78,7 +77,7 @@ Scene read_toml_scene(const std::string& file) {
   } catch (const toml::parse_error& error) {
     throw base::InputError(place(file, error.source()) + ": not valid TOML: " + std::string(error.description()));
   }
-  Scene scene = start_of(table, file);
+  Scene scene = start_of(table, file, std::move(catalogue));
   read_table(table, "", file, scene.options);
   return scene;
 }

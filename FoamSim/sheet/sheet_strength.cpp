@@ -1,10 +1,8 @@
 #include "FoamSim/sheet/sheet_strength.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 
+#include "Base/parallel/for_each.h"
 #include "FoamSim/sheet/surface_geometry.h"
 
 namespace foamsim {
@@ -18,11 +16,9 @@ void gather_sheet(const lostopos::SurfaceMesh& mesh, const CirculationField& cir
   sheet.reserve(mesh.triangle_count());
   for (Triangle t : mesh.triangles())
     if (!is_solid(t, solid)) sheet.push_back({t, mesh.vertices(t), {}});
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sheet.size(), 512),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        sheet[i].circulation = corner_circulation(mesh, circulation, sheet[i].triangle);
-                    });
+  base::parallel_for_each(sheet.size(), 512, [&](std::size_t i) {
+    sheet[i].circulation = corner_circulation(mesh, circulation, sheet[i].triangle);
+  });
 }
 
 Vec3 sheet_strength(const std::array<Vec3, 3>& x, const std::array<double, 3>& circulation) {
@@ -33,14 +29,11 @@ Vec3 sheet_strength(const std::array<Vec3, 3>& x, const std::array<double, 3>& c
 void fill_vortex_sources(std::span<const SheetTriangle> sheet, std::span<const Vec3> positions,
                          VortexSources& sources) {
   sources.resize(sheet.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, sheet.size(), 512), [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const auto& v = sheet[i].vertices;
-          const std::array<Vec3, 3> x{positions[v[0].index()], positions[v[1].index()], positions[v[2].index()]};
-          sources.set(i, (x[0] + x[1] + x[2]) / 3.0, sheet_strength(x, sheet[i].circulation));
-        }
-      });
+  base::parallel_for_each(sheet.size(), 512, [&](std::size_t i) {
+    const auto& v = sheet[i].vertices;
+    const std::array<Vec3, 3> x{positions[v[0].index()], positions[v[1].index()], positions[v[2].index()]};
+    sources.set(i, (x[0] + x[1] + x[2]) / 3.0, sheet_strength(x, sheet[i].circulation));
+  });
 }
 
 }  // namespace foamsim

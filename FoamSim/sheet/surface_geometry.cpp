@@ -1,12 +1,10 @@
 #include "FoamSim/sheet/surface_geometry.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "LosTopos/mesh/for_each_living.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -20,15 +18,6 @@ using lostopos::Vec3;
 using lostopos::Vertex;
 
 namespace {
-
-// Calls body(handle) for every living element; each call may write its own slots only.
-template <class H, class Body>
-void for_each_living(const SurfaceMesh& mesh, std::size_t slots, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, slots, 256), [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      if (const H h(i); mesh.alive(h)) body(h);
-  });
-}
 
 using SortedRegions = boost::container::small_vector<Region, 8>;
 
@@ -88,18 +77,17 @@ void SurfaceGeometry::update(const SurfaceMesh& mesh, std::span<const std::uint8
 void SurfaceGeometry::list_regions(const SurfaceMesh& mesh) {
   vertex_begin_.assign(mesh.vertex_slots() + 1, 0);
   edge_begin_.assign(mesh.edge_slots() + 1, 0);
-  for_each_living<Vertex>(mesh, mesh.vertex_slots(),
-                          [&](Vertex v) { vertex_begin_[v.index()] = regions_of(mesh, mesh.triangles(v)).size(); });
-  for_each_living<Edge>(mesh, mesh.edge_slots(),
-                        [&](Edge e) { edge_begin_[e.index()] = regions_of(mesh, mesh.triangles(e)).size(); });
+  lostopos::for_each_vertex(mesh,
+                            [&](Vertex v) { vertex_begin_[v.index()] = regions_of(mesh, mesh.triangles(v)).size(); });
+  lostopos::for_each_edge(mesh, [&](Edge e) { edge_begin_[e.index()] = regions_of(mesh, mesh.triangles(e)).size(); });
   to_offsets(vertex_begin_);
   to_offsets(edge_begin_);
   vertex_regions_.resize(vertex_begin_.back());
   edge_curvatures_.resize(edge_begin_.back());
-  for_each_living<Vertex>(mesh, mesh.vertex_slots(), [&](Vertex v) {
+  lostopos::for_each_vertex(mesh, [&](Vertex v) {
     std::ranges::copy(regions_of(mesh, mesh.triangles(v)), vertex_regions_.begin() + vertex_begin_[v.index()]);
   });
-  for_each_living<Edge>(mesh, mesh.edge_slots(), [&](Edge e) {
+  lostopos::for_each_edge(mesh, [&](Edge e) {
     std::size_t i = edge_begin_[e.index()];
     for (Region r : regions_of(mesh, mesh.triangles(e))) edge_curvatures_[i++] = {r, 0.0};
   });
@@ -108,7 +96,7 @@ void SurfaceGeometry::list_regions(const SurfaceMesh& mesh) {
 void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh, std::span<const std::uint8_t> solid) {
   areas_.assign(mesh.triangle_slots(), 0.0);
   normals_.resize(mesh.triangle_slots());
-  for_each_living<Triangle>(mesh, mesh.triangle_slots(), [&](Triangle t) {
+  lostopos::for_each_triangle(mesh, [&](Triangle t) {
     const Vec3 vector = lostopos::area_vector(mesh, t);
     areas_[t.index()] = vector.norm();
     normals_[t.index()] = areas_[t.index()] > 0 ? Vec3(vector / areas_[t.index()]) : Vec3(Vec3::Zero());
@@ -120,7 +108,7 @@ void SurfaceGeometry::measure_triangles(const SurfaceMesh& mesh, std::span<const
 
 void SurfaceGeometry::measure_edges(const SurfaceMesh& mesh) {
   lengths_.assign(mesh.edge_slots(), 0.0);
-  for_each_living<Edge>(mesh, mesh.edge_slots(), [&](Edge e) {
+  lostopos::for_each_edge(mesh, [&](Edge e) {
     lengths_[e.index()] = lostopos::length(mesh, e);
     for (std::size_t i = edge_begin_[e.index()]; i != edge_begin_[e.index() + 1]; ++i) {
       RegionEdgeCurvature& entry = edge_curvatures_[i];

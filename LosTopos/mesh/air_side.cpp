@@ -1,5 +1,6 @@
 #include "LosTopos/mesh/air_side.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "LosTopos/mesh/measures.h"
@@ -20,6 +21,19 @@ Vec3 air_side_area_vector(const SurfaceMesh& mesh, Vertex v) {
 
 Vec3 air_side_normal(const SurfaceMesh& mesh, Vertex v) {
   const Vec3 sum = air_side_area_vector(mesh, v);
+  const double length = sum.norm();
+  return length > 0 ? Vec3(sum / length) : Vec3::Zero();
+}
+
+Vec3 air_side_normal(const SurfaceMesh& mesh, Vertex v, std::span<const Vec3> positions) {
+  Vec3 sum = Vec3::Zero();
+  for (Triangle t : mesh.triangles(v)) {
+    if (!mesh.labels(t).has(air)) continue;
+    const auto& [a, b, c] = mesh.vertices(t);
+    const Vec3& origin = positions[a.index()];
+    const Vec3 twice_area = (positions[b.index()] - origin).cross(positions[c.index()] - origin);
+    sum += mesh.labels(t).q == air ? twice_area : Vec3(-twice_area);
+  }
   const double length = sum.norm();
   return length > 0 ? Vec3(sum / length) : Vec3::Zero();
 }

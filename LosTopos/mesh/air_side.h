@@ -12,6 +12,9 @@ Vec3 air_side_area_vector(const SurfaceMesh& mesh, Vertex v);
 /// triangles cancel each other (a film with air on both sides cannot be: its labels would be equal).
 Vec3 air_side_normal(const SurfaceMesh& mesh, Vertex v);
 
+/// The same with vertices at `positions` (L, one a vertex slot).
+Vec3 air_side_normal(const SurfaceMesh& mesh, Vertex v, std::span<const Vec3> positions);
+
 /// Whether a triangle at v touches the air.
 bool touches_air(const SurfaceMesh& mesh, Vertex v);
 

@@ -1,9 +1,8 @@
 #include "MultiTracker/flows/advect.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <vector>
+
+#include "Base/parallel/for_each.h"
 
 namespace multitracker {
 
@@ -23,11 +22,7 @@ Vec3 moved(const Flow& flow, const Vec3& x, double time, double dt) {
 
 std::vector<Vec3> carried(const Flow& flow, std::span<const Vec3> points, double time, double dt) {
   std::vector<Vec3> ends(points.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 256),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        ends[i] = moved(flow, points[i], time, dt);
-                    });
+  base::parallel_for_each(points.size(), 256, [&](std::size_t i) { ends[i] = moved(flow, points[i], time, dt); });
   return ends;
 }
 

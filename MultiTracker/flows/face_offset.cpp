@@ -1,12 +1,10 @@
 #include "MultiTracker/flows/face_offset.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "LosTopos/mesh/for_each_living.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace multitracker {
@@ -56,12 +54,9 @@ Vec3 FaceOffsetFlow::displacement(const FlowStep& step, Vertex v) const {
 
 std::vector<Vec3> FaceOffsetFlow::predicted(const FlowStep& step) const {
   std::vector<Vec3> ends(step.mesh.positions().begin(), step.mesh.positions().end());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ends.size(), 256),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        if (const Vertex v(i); step.mesh.alive(v))
-                          ends[i] += lostopos::free_part(step.held[i], displacement(step, v));
-                    });
+  lostopos::for_each_vertex(step.mesh, [&](Vertex v) {
+    ends[v.index()] += lostopos::free_part(step.held[v.index()], displacement(step, v));
+  });
   return ends;
 }
 

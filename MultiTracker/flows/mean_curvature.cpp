@@ -1,13 +1,11 @@
 #include "MultiTracker/flows/mean_curvature.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "LosTopos/mesh/for_each_living.h"
 #include "LosTopos/mesh/hold.h"
 
 namespace multitracker {
@@ -57,11 +55,7 @@ Motion motion_of(const lostopos::SurfaceMesh& mesh, const std::vector<Vec3>& x, 
 
 std::vector<Motion> motions(const lostopos::SurfaceMesh& mesh, const std::vector<Vec3>& x) {
   std::vector<Motion> all(x.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, x.size(), 256),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        if (mesh.alive(Vertex(i))) all[i] = motion_of(mesh, x, Vertex(i));
-                    });
+  lostopos::for_each_vertex(mesh, [&](Vertex v) { all[v.index()] = motion_of(mesh, x, v); });
   return all;
 }
 

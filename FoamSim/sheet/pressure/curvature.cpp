@@ -1,9 +1,8 @@
 #include "FoamSim/sheet/pressure/curvature.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "LosTopos/mesh/for_each_living.h"
 
 namespace foamsim {
 
@@ -24,17 +23,16 @@ void EdgeAngleCurvature::evaluate(const VertexStar& star, std::span<double> curv
   for (std::size_t i = 0; i < curvature.size(); ++i) curvature[i] = area[i] > 0 ? curvature[i] / (2 * area[i]) : 0.0;
 }
 
-void CurvatureField::update(const SurfaceMesh& mesh, const SurfaceGeometry& geometry, const CurvatureScheme& scheme) {
-  values_.resize(geometry.entries());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.vertex_slots(), 128),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                        const Vertex v(i);
-                        if (!mesh.alive(v)) continue;
-                        const VertexStar star{mesh, geometry, v, geometry.regions(v), mesh.is_junction(v)};
-                        scheme.evaluate(star, {values_.data() + geometry.first_entry(v), star.regions.size()});
-                      }
-                    });
+void evaluate_curvature(const SurfaceMesh& mesh, const SurfaceGeometry& geometry, const EdgeAngleCurvature& curvature,
+                        std::vector<double>& values) {
+  values.resize(geometry.entries());
+  lostopos::for_each_vertex(
+      mesh,
+      [&](Vertex v) {
+        const VertexStar star{mesh, geometry, v, geometry.regions(v), mesh.is_junction(v)};
+        curvature.evaluate(star, {values.data() + geometry.first_entry(v), star.regions.size()});
+      },
+      128);
 }
 
 std::span<const double> CurvatureField::at(const SurfaceGeometry& geometry, Vertex v) const {

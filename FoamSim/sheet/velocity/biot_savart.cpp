@@ -1,32 +1,11 @@
 #include "FoamSim/sheet/velocity/biot_savart.h"
 
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "Base/error.h"
-#include "FoamSim/sheet/velocity/direct.h"
 
 namespace foamsim {
-namespace {
-
-struct Entry {
-  std::string_view name;
-  std::unique_ptr<BiotSavart> (*make)();
-};
-
-template <class Summation>
-std::unique_ptr<BiotSavart> make() {
-  return std::make_unique<Summation>();
-}
-
-// One line registers a summation.
-constexpr std::array kEntries{
-    Entry{"direct", &make<DirectBiotSavart>},
-};
-
-}  // namespace
-
 void BiotSavart::check_arguments(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                                  std::span<const lostopos::Vec3> out) {
   if (!std::isfinite(delta) || delta < 0) {
@@ -44,22 +23,6 @@ void BiotSavart::check_arguments(const VortexSources& sources, std::span<const l
                              std::to_string(array->size()) + " entries; all must have the same length");
     }
   }
-}
-
-std::unique_ptr<BiotSavart> make_biot_savart(std::string_view name) {
-  std::string valid;
-  for (const Entry& entry : kEntries) {
-    if (entry.name == name) return entry.make();
-    valid += (valid.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  throw base::InputError("unknown Biot-Savart summation '" + std::string(name) + "'; valid names: " + valid);
-}
-
-std::vector<std::string_view> biot_savart_names() {
-  std::vector<std::string_view> names;
-  names.reserve(kEntries.size());
-  for (const Entry& entry : kEntries) names.push_back(entry.name);
-  return names;
 }
 
 }  // namespace foamsim

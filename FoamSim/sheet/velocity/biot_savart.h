@@ -1,9 +1,6 @@
 #pragma once
 
-#include <memory>
 #include <span>
-#include <string_view>
-#include <vector>
 
 #include "FoamSim/sheet/velocity/vortex_sources.h"
 #include "LosTopos/vec3.h"
@@ -41,12 +38,5 @@ class BiotSavart {
   static void check_arguments(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                               std::span<const lostopos::Vec3> out);
 };
-
-/// The summation of that name, one of biot_savart_names().
-/// @throws base::InputError naming the valid ones.
-std::unique_ptr<BiotSavart> make_biot_savart(std::string_view name);
-
-/// Every name that make_biot_savart knows, in the order to show them.
-std::vector<std::string_view> biot_savart_names();
 
 }  // namespace foamsim

@@ -1,11 +1,9 @@
 #include "FoamSim/sheet/velocity/direct.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 
+#include "Base/parallel/for_each.h"
 #include "FoamSim/sheet/velocity/direct_kernel.h"
 
 namespace foamsim {
@@ -20,9 +18,9 @@ void DirectBiotSavart::velocities(const VortexSources& sources, std::span<const 
                                   std::span<lostopos::Vec3> out) const {
   check_arguments(sources, targets, delta, out);
   const std::size_t blocks = (targets.size() + kBlock - 1) / kBlock;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks), [&](const tbb::blocked_range<std::size_t>& range) {
-    const std::size_t first = range.begin() * kBlock;
-    const std::size_t count = std::min(range.end() * kBlock, targets.size()) - first;
+  base::parallel_for_each(blocks, 1, [&](std::size_t block) {
+    const std::size_t first = block * kBlock;
+    const std::size_t count = std::min(kBlock, targets.size() - first);
     sum_biot_savart(sources, targets.subspan(first, count), delta, out.subspan(first, count));
   });
 }

@@ -149,7 +149,7 @@ void validate(const AccuracyOptions& o) {
   require(!o.areas.empty() && !o.sizes.empty() && !o.integrators.empty() && !o.steps_of_time.empty(),
           "one strategy, size, integrator and dt, or more of each, have to be given");
   for (const std::string& area : o.areas) make_vertex_area(area, {});
-  for (const std::string& integrator : o.integrators) integrator_by_name(integrator);
+  for (const std::string& integrator : o.integrators) integrators().find(integrator);
   for (long n : o.sizes) require(n >= 8 && n <= 192, "sizes have to be 8 to 192");
   for (double dt : o.steps_of_time) require(std::isfinite(dt) && dt > 0, "dt has to be a finite time > 0");
   require(o.damping > 0 && o.damping <= 1, "damping has to be > 0 and at most 1");

@@ -9,7 +9,9 @@
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/scenes/shapes/solids.h"
+#include "FoamSim/sheet/pressure/edge_angle.h"
 #include "FoamSim/sheet/pressure/vertex_area/averaged.h"
+#include "FoamSim/sheet/velocity/registry.h"
 #include "FoamSim/studies/modes/modal_amplitudes.h"
 
 namespace foamsim {
@@ -29,11 +31,11 @@ void check(const ModeOptions& o) {
   require(o.periods >= 1, "at least one period has to be measured");
 }
 
-std::vector<std::unique_ptr<Effect>> tension_only(double sigma) {
-  std::vector<std::unique_ptr<Effect>> effects;
-  effects.push_back(
-      std::make_unique<SurfaceTension>(sigma, std::make_unique<EdgeAngleCurvature>(std::make_unique<AveragedArea>())));
-  return effects;
+SimulationParts tension_only(double sigma) {
+  SimulationParts parts{.velocity = make_biot_savart("direct"), .integrator = make_integrator("rk4")};
+  parts.effects.push_back(
+      std::make_unique<SurfaceTension>(sigma, std::make_unique<EdgeAngle>(std::make_unique<AveragedArea>())));
+  return parts;
 }
 
 lostopos::SurfaceMesh perturbed_sphere(const ModeOptions& o) {
@@ -50,7 +52,7 @@ double chosen_dt(double sigma, double delta, double omega) {
 
 Simulation make_simulation(ModeOptions& o, double omega) {
   lostopos::SurfaceMesh mesh = perturbed_sphere(o);
-  SimulationOptions simulation{.integrator = Integrator::rk4};
+  SimulationOptions simulation;
   simulation.tracker.collisions = false;  // a convex bubble meets nothing
   simulation.delta = 0.75 * resolved_resolution(simulation, mesh);
   if (o.dt == 0) o.dt = chosen_dt(o.sigma, simulation.delta, omega);

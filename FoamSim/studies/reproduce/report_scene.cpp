@@ -25,7 +25,7 @@ Scene report_scene(long n, const std::string& area) {
   constexpr const char* where = "the report's scene";
   options.set("n", n, where);
   options.set("area", area, where);
-  options.set("phi", 0.75, where);
+  if (area == "constant-edge") options.set("phi", 0.75, where);
   options.set("dt", n <= largest_free ? 0.01 : 0.005, where);
   options.set("diffusion", n <= largest_free ? 10.0 : 20.0, where);
   options.set("remeshing.smoothing", false, where);

@@ -40,6 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"dt_word", "run sphere --set dt=fast", {"dt", "'fast' is not a number"}},
         BadCase{"not_an_assignment", "run sphere --set dt", {"key=value"}},
         BadCase{"option_of_an_absent_effect", "run sphere --set damping=0.5", {"damping", "effects+=damping"}},
+        BadCase{"option_of_another_scene", "run doublebubble --set mode=3", {"mode", "scene 'sphere'"}},
+        BadCase{"option_of_another_strategy", "run doublebubble --set phi=0.9", {"phi", "'constant-edge'"}},
         BadCase{"bounds_that_contradict", "run doublebubble --set remeshing.shortest_edge=0.9", {"shortest_edge"}},
         BadCase{"negative_steps", "run sphere --steps -3", {"--steps"}},
         BadCase{"nan_time", "run sphere --time nan", {"--time"}},

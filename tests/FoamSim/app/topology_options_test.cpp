@@ -173,7 +173,7 @@ TEST(TopologyOptionsOfScenes, EachOneHasItsEffect) {
       {"topology.collapse_regions", "-"},  // below
   };
   std::map<std::string, Outcome> outcomes;
-  for (const base::OptionSpec& spec : scene_option_specs()) {
+  for (const base::OptionSpec& spec : common_option_specs(*built_in_catalogue())) {
     if (!spec.key.starts_with("topology.")) continue;
     ASSERT_TRUE(changed.contains(spec.key)) << spec.key << " has no case here";
     if (changed.at(spec.key) == "-") continue;

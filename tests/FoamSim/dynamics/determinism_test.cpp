@@ -8,10 +8,9 @@
 
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/effects/diffusion.h"
-#include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
-#include "FoamSim/sheet/pressure/vertex_area/registry.h"
+#include "tests/support/film_parts.h"
 
 namespace foamsim {
 namespace {
@@ -26,10 +25,9 @@ void append_bits(std::vector<std::uint64_t>& bits, double value) {
 std::vector<std::uint64_t> bits_of_a_run(std::string_view area, std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   std::vector<std::unique_ptr<Effect>> effects;
-  effects.push_back(
-      std::make_unique<SurfaceTension>(1.0, std::make_unique<EdgeAngleCurvature>(make_vertex_area(area, {}))));
+  effects.push_back(test::tension(1, area));
   effects.push_back(std::make_unique<Diffusion>(10.0));
-  Simulation simulation(double_bubble(16), {}, std::move(effects));
+  Simulation simulation(double_bubble(16), {}, test::parts(std::move(effects)));
   std::vector<std::uint64_t> bits;
   for (int i = 0; i < 50; ++i) {
     const StepReport report = simulation.step();

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "FoamSim/scenes/shapes/double_bubble.h"
+#include "FoamSim/sheet/velocity/registry.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {

@@ -6,16 +6,18 @@
 
 #include "Base/error.h"
 #include "FoamSim/effects/damping.h"
+#include "FoamSim/scenes/scene.h"
 #include "FoamSim/scenes/shapes/solids.h"
 
 namespace foamsim {
 namespace {
 
 base::OptionSet all_options() {
-  std::vector<base::OptionSpec> specs;
-  for (const EffectEntry& entry : effect_entries())
-    specs.insert(specs.end(), entry.options.begin(), entry.options.end());
-  return base::OptionSet(specs);
+  return base::OptionSet(common_option_specs(*built_in_catalogue()));
+}
+
+std::vector<std::unique_ptr<Effect>> make(const std::vector<std::string>& names, const base::OptionSet& options) {
+  return make_effects(built_in_effects(), names, {options, 0.1, built_in_catalogue()->sheet});
 }
 
 std::vector<std::string_view> names_of(const std::vector<std::unique_ptr<Effect>>& effects) {
@@ -26,9 +28,9 @@ std::vector<std::string_view> names_of(const std::vector<std::unique_ptr<Effect>
 
 TEST(EffectRegistry, MakesEveryEffectWithItsDefaults) {
   const base::OptionSet options = all_options();
-  for (const EffectEntry& entry : effect_entries()) {
+  for (const EffectEntry& entry : built_in_effects()) {
     const std::vector<std::string> name{std::string(entry.name)};
-    const auto effects = make_effects(name, {options, 0.1});
+    const auto effects = make(name, options);
     ASSERT_EQ(effects.size(), 1U);
     EXPECT_EQ(effects[0]->name(), entry.name);
     EXPECT_FALSE(entry.summary.empty());
@@ -38,16 +40,15 @@ TEST(EffectRegistry, MakesEveryEffectWithItsDefaults) {
 TEST(EffectRegistry, ConstructsOnlyWhatIsNamedInTheRegistrysOrder) {
   const base::OptionSet options = all_options();
   const std::vector<std::string> asked{"diffusion", "surface_tension"};
-  EXPECT_EQ(names_of(make_effects(asked, {options, 0.1})),
-            (std::vector<std::string_view>{"surface_tension", "diffusion"}));
-  EXPECT_TRUE(make_effects({}, {options, 0.1}).empty());
+  EXPECT_EQ(names_of(make(asked, options)), (std::vector<std::string_view>{"surface_tension", "diffusion"}));
+  EXPECT_TRUE(make({}, options).empty());
 }
 
 TEST(EffectRegistry, UnknownNameComesWithTheNearest) {
   const base::OptionSet options = all_options();
   const std::vector<std::string> asked{"difusion"};
   try {
-    make_effects(asked, {options, 0.1});
+    make(asked, options);
     FAIL() << "no error";
   } catch (const base::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'diffusion'"), std::string::npos) << error.what();
@@ -56,13 +57,14 @@ TEST(EffectRegistry, UnknownNameComesWithTheNearest) {
 
 TEST(EffectRegistry, OptionsSayWhichEffectReadsThemAndAreNamedOnce) {
   std::set<std::string> keys;
-  for (const EffectEntry& entry : effect_entries())
+  for (const EffectEntry& entry : built_in_effects())
     for (const base::OptionSpec& spec : entry.options) {
-      EXPECT_EQ(spec.effect, entry.name);
+      EXPECT_EQ(spec.owner.kind, "effect");
+      EXPECT_EQ(spec.owner.name, entry.name);
       EXPECT_TRUE(keys.insert(spec.key).second) << spec.key;
       EXPECT_FALSE(spec.summary.empty()) << spec.key;
     }
-  for (const char* key : {"sigma", "area", "phi", "damping", "diffusion"}) EXPECT_EQ(keys.count(key), 1U) << key;
+  for (const char* key : {"sigma", "damping", "diffusion"}) EXPECT_EQ(keys.count(key), 1U) << key;
 }
 
 TEST(EffectRegistry, DefaultsAreTheReferences) {
@@ -84,7 +86,7 @@ TEST(EffectRegistry, OptionsReachTheEffect) {
   const lostopos::Labels film{lostopos::Region(1), lostopos::air};
   circulation.set(lostopos::Vertex(0), film, 8);
   const std::vector<std::string> asked{"damping"};
-  make_effects(asked, {options, 0.1})[0]->update_circulation({mesh, geometry, 0, 2}, circulation);
+  make(asked, options)[0]->update_circulation({mesh, geometry, 0, 2}, circulation);
   EXPECT_EQ(circulation.get(lostopos::Vertex(0), film), 2);
 }
 

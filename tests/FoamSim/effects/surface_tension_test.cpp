@@ -8,8 +8,10 @@
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
+#include "FoamSim/sheet/pressure/edge_angle.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "LosTopos/mesh/measures.h"
+#include "tests/support/film_parts.h"
 
 namespace foamsim {
 namespace {
@@ -20,8 +22,8 @@ using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;
 
-std::unique_ptr<CurvatureScheme> scheme(std::string_view area = "averaged") {
-  return std::make_unique<EdgeAngleCurvature>(make_vertex_area(area, {}));
+std::unique_ptr<PressureScheme> scheme(std::string_view area = "averaged") {
+  return std::make_unique<EdgeAngle>(make_vertex_area(area, {}));
 }
 
 TEST(SurfaceTensionTest, AddsSigmaTimesTheJumpOfCurvatureToEveryPair) {
@@ -30,7 +32,7 @@ TEST(SurfaceTensionTest, AddsSigmaTimesTheJumpOfCurvatureToEveryPair) {
     SurfaceGeometry geometry;
     geometry.update(mesh);
     CurvatureField curvature;
-    curvature.update(mesh, geometry, *scheme(area.name));
+    curvature.update(mesh, geometry, EdgeAngleCurvature(make_vertex_area(area.name, {})));
     CirculationField circulation(mesh);
     SurfaceTension(1.5, scheme(area.name)).update_circulation({mesh, geometry, 0, 0.02}, circulation);
     for (Vertex v : mesh.vertices())
@@ -75,9 +77,7 @@ TEST(SurfaceTensionTest, EnergyIsFourSigmaTimesTheArea) {
 }
 
 Simulation sphere_under_tension(long n) {
-  std::vector<std::unique_ptr<Effect>> effects;
-  effects.push_back(std::make_unique<SurfaceTension>(1, scheme()));
-  return {icosphere(n), {.integrator = Integrator::rk4}, std::move(effects)};
+  return {icosphere(n), {}, test::parts(test::tension(), "rk4")};
 }
 
 TEST(SurfaceTensionTest, ABubbleWhoseVerticesAreAllAlikeStaysAtRest) {

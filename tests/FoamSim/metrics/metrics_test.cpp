@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
-#include "FoamSim/sheet/pressure/vertex_area/averaged.h"
+#include "tests/support/film_parts.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {
@@ -63,10 +62,7 @@ TEST(SmallestTriangleAngle, OfKnownTriangles) {
 Simulation double_bubble_simulation(double scale, const Vec3& shift, double dt = 0.01) {
   SurfaceMesh mesh = double_bubble(12);
   for (Vertex v : mesh.vertices()) mesh.set_position(v, scale * mesh.position(v) + shift);
-  std::vector<std::unique_ptr<Effect>> effects;
-  effects.push_back(
-      std::make_unique<SurfaceTension>(1.0, std::make_unique<EdgeAngleCurvature>(std::make_unique<AveragedArea>())));
-  return {std::move(mesh), {.dt = dt}, std::move(effects)};
+  return {std::move(mesh), {.dt = dt}, test::parts(test::tension())};
 }
 
 Metrics after(Simulation simulation, int steps) {

@@ -10,6 +10,7 @@
 #include "FoamSim/scenes/shapes/solids.h"
 #include "LosTopos/mesh/air_side.h"
 #include "LosTopos/mesh/audit.h"
+#include "tests/support/film_parts.h"
 
 namespace foamsim {
 namespace {
@@ -18,11 +19,12 @@ using lostopos::SurfaceMesh;
 using lostopos::Vertex;
 
 TEST(GrowthEffect, MovesASphereOutAtTheAskedSpeed) {
-  std::vector<std::unique_ptr<Effect>> effects;
-  effects.push_back(std::make_unique<Growth>(0.4));
-  Simulation simulation(icosphere(3), {}, std::move(effects));
-  for (int i = 0; i < 50; ++i) simulation.step();
-  for (Vertex v : simulation.mesh().vertices()) EXPECT_NEAR(simulation.mesh().position(v).norm(), 1 + 0.4 * 0.5, 1e-3);
+  for (const char* integrator : {"euler", "rk4"}) {
+    Simulation simulation(icosphere(3), {}, test::parts(std::make_unique<Growth>(0.4), integrator));
+    for (int i = 0; i < 50; ++i) simulation.step();
+    for (Vertex v : simulation.mesh().vertices())
+      EXPECT_NEAR(simulation.mesh().position(v).norm(), 1 + 0.4 * 0.5, 1e-3) << integrator;
+  }
 }
 
 TEST(FoaminitScene, GrowsAFoamWithJunctionsAndACleanAudit) {

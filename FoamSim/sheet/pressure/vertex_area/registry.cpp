@@ -1,8 +1,5 @@
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
 
-#include <array>
-
-#include "Base/names/nearest_name.h"
 #include "FoamSim/sheet/pressure/vertex_area/averaged.h"
 #include "FoamSim/sheet/pressure/vertex_area/border_length.h"
 #include "FoamSim/sheet/pressure/vertex_area/constant_edge.h"
@@ -11,28 +8,41 @@
 namespace foamsim {
 namespace {
 
-using Options = const VertexAreaOptions&;
-using Made = std::unique_ptr<VertexArea>;
+template <class Strategy>
+std::unique_ptr<VertexArea> make(const VertexAreaSetup&) {
+  return std::make_unique<Strategy>();
+}
 
-constexpr std::array strategies{
-    VertexAreaEntry{"naive", "each region by its own triangles; a double bubble drifts away",
-                    [](Options) -> Made { return std::make_unique<NaiveArea>(); }},
-    VertexAreaEntry{"constant-edge", "phi times mean edge times junction length; stable, wrong angles",
-                    [](Options o) -> Made { return std::make_unique<ConstantEdgeArea>(o.phi, o.resolution); }},
-    VertexAreaEntry{"averaged", "mean over the regions; stable, angles converge to 120 degrees",
-                    [](Options) -> Made { return std::make_unique<AveragedArea>(); }},
-    VertexAreaEntry{"border-length", "averaged, shared out by border length; balanced at Plateau vertices too",
-                    [](Options) -> Made { return std::make_unique<BorderLengthArea>(); }},
-};
+base::Registry<VertexAreaEntry> make_strategies() {
+  return base::Registry<VertexAreaEntry>(
+      "area strategy",
+      {{"naive", "each region by its own triangles; a double bubble drifts away", {}, make<NaiveArea>},
+       {"constant-edge",
+        "phi times mean edge times junction length; stable, wrong angles",
+        {base::positive_number("phi", 0.5, "constant-edge's factor phi, dimensionless")},
+        [](const VertexAreaSetup& setup) -> std::unique_ptr<VertexArea> {
+          return std::make_unique<ConstantEdgeArea>(setup.options.number("phi"), setup.resolution);
+        }},
+       {"averaged", "mean over the regions; stable, angles converge to 120 degrees", {}, make<AveragedArea>},
+       {"border-length",
+        "averaged, shared out by border length; balanced at Plateau vertices too",
+        {},
+        make<BorderLengthArea>}});
+}
 
 }  // namespace
 
-std::span<const VertexAreaEntry> vertex_area_strategies() {
+const base::Registry<VertexAreaEntry>& vertex_area_strategies() {
+  static const base::Registry<VertexAreaEntry> strategies = make_strategies();
   return strategies;
 }
 
 std::unique_ptr<VertexArea> make_vertex_area(std::string_view name, const VertexAreaOptions& options) {
-  return base::find_by_name(vertex_area_strategies(), name, "area strategy").make(options);
+  const VertexAreaEntry& entry = vertex_area_strategies().find(name);
+  base::OptionSet own(entry.options);
+  for (const base::OptionSpec& spec : entry.options)
+    if (spec.key == "phi") own.set("phi", options.phi, "");
+  return entry.make({own, options.resolution});
 }
 
 }  // namespace foamsim

@@ -8,6 +8,7 @@
 
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
+#include "FoamSim/sheet/velocity/registry.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "FoamSim/sheet/velocity/biot_savart.h"
+#include "FoamSim/sheet/velocity/registry.h"
 
 namespace foamsim {
 namespace {

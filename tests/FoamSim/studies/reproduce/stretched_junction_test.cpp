@@ -8,7 +8,9 @@
 
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/sheet/pressure/curvature.h"
+#include "FoamSim/sheet/pressure/edge_angle.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
+#include "FoamSim/sheet/velocity/registry.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "tests/support/sample_meshes.h"
 
@@ -102,7 +104,7 @@ FirstStep first_step(std::string_view area, double stretch) {
   SurfaceGeometry geometry;
   geometry.update(junction.mesh);
   CirculationField circulation(junction.mesh);
-  SurfaceTension tension(1, std::make_unique<EdgeAngleCurvature>(make_vertex_area(area, kOptions)));
+  SurfaceTension tension(1, std::make_unique<EdgeAngle>(make_vertex_area(area, kOptions)));
   tension.update_circulation({junction.mesh, geometry, 0, 0.01}, circulation);
   std::vector<SheetTriangle> sheet;
   gather_sheet(junction.mesh, circulation, sheet);

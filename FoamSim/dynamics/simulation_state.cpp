@@ -1,0 +1,94 @@
+#include "FoamSim/dynamics/simulation_state.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "Base/error.h"
+#include "FoamSim/dynamics/simulation.h"
+#include "LosTopos/mesh/state_json.h"
+
+namespace foamsim {
+
+using nlohmann::json;
+
+namespace {
+
+json topology_json(const TopologyTotals& t) {
+  return {{"snaps", t.snaps},
+          {"edge_merges", t.edge_merges},
+          {"separations", t.separations},
+          {"region_collapses", t.region_collapses},
+          {"cancelled_triangles", t.cancelled_triangles}};
+}
+
+TopologyTotals topology_from(const json& value) {
+  return {.snaps = value.at("snaps"),
+          .edge_merges = value.at("edge_merges"),
+          .separations = value.at("separations"),
+          .region_collapses = value.at("region_collapses"),
+          .cancelled_triangles = value.at("cancelled_triangles")};
+}
+
+// What the models of one kind remember, those that remember nothing left out.
+template <class Models>
+json remembered(const Models& models) {
+  json all = json::object();
+  for (const auto& model : models)
+    if (json own = model->state(); !own.is_null()) all[std::string(model->name())] = std::move(own);
+  return all;
+}
+
+template <class Models>
+void remind(const Models& models, const json& all, const char* kind) {
+  for (const auto& [name, own] : all.items())
+    if (std::ranges::none_of(models, [&name](const auto& model) { return model->name() == name; }))
+      throw base::InputError(std::string("the state is of a simulation with the ") + kind + " '" + name +
+                             "', which this one does not have");
+  for (const auto& model : models) {
+    const json own = all.value(std::string(model->name()), json());
+    if (!own.is_null() || !model->state().is_null()) model->restore(own);
+  }
+}
+
+}  // namespace
+
+json to_json(const SimulationState& state) {
+  return {{"steps", state.steps},
+          {"topology", topology_json(state.topology)},
+          {"surface", lostopos::to_json(state.tracker)},
+          {"models", state.models ? *state.models : json::object()}};
+}
+
+SimulationState simulation_state_from_json(const json& value) {
+  return {.steps = value.at("steps"),
+          .topology = topology_from(value.at("topology")),
+          .tracker = lostopos::mesh_state_from_json(value.at("surface")),
+          .models = std::make_shared<const json>(value.at("models"))};
+}
+
+SimulationState Simulation::state() const {
+  SimulationState state;
+  save(state);
+  return state;
+}
+
+void Simulation::save(SimulationState& state) const {
+  state.steps = steps_;
+  state.topology = topology_totals_;
+  tracker_->save(state.tracker);
+  state.models = std::make_shared<const json>(
+      json{{"effects", remembered(parts_.effects)}, {"constraints", remembered(parts_.constraints)}});
+}
+
+void Simulation::restore(const SimulationState& state) {
+  const json none = json::object();
+  const json& models = state.models ? *state.models : none;
+  remind(parts_.effects, models.value("effects", none), "effect");
+  remind(parts_.constraints, models.value("constraints", none), "constraint");
+  tracker_->restore(state.tracker);
+  steps_ = state.steps;
+  topology_totals_ = state.topology;
+  geometry_.update(tracker_->mesh(), solid());
+}
+
+}  // namespace foamsim

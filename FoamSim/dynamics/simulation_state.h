@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+
+#include "FoamSim/dynamics/topology_totals.h"
+#include "LosTopos/surface_tracker.h"
+
+namespace foamsim {
+
+/// Everything in which a simulation differs from one that has just been made of the same scene: what SurfaceMesh::State
+/// is to the mesh. With it a step can be undone and a run be resumed, to the bit.
+struct SimulationState {
+  long steps = 0;
+  TopologyTotals topology;                       ///< counts since the start of the run
+  lostopos::SurfaceTracker::State tracker;       ///< the surface with every named attribute, circulation among them
+  std::shared_ptr<const nlohmann::json> models;  ///< by kind and name: what effects and constraints remember
+};
+
+/// For checkpoints; binary arrays inside, so that CBOR is the format to write it in.
+nlohmann::json to_json(const SimulationState& state);
+/// Throws base::Error or nlohmann::json::exception for anything but what to_json gives.
+SimulationState simulation_state_from_json(const nlohmann::json& value);
+
+}  // namespace foamsim

@@ -17,7 +17,7 @@ using lostopos::Vec3;
 TEST(BiotSavartRegistry, MakesEveryNameItLists) {
   const auto names = velocity_sums().names();
   ASSERT_FALSE(names.empty());
-  for (const auto name : names) EXPECT_NE(make_biot_savart(name), nullptr) << name;
+  for (const std::string& name : names) EXPECT_NE(make_biot_savart(name), nullptr) << name;
 }
 
 TEST(BiotSavartRegistry, DirectIsTheDirectSum) {
@@ -31,7 +31,7 @@ TEST(BiotSavartRegistry, UnknownNameSaysWhichAreValid) {
   } catch (const base::InputError& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("'fasst'"), std::string::npos) << message;
-    for (const auto name : velocity_sums().names()) EXPECT_NE(message.find(name), std::string::npos) << message;
+    for (const std::string& name : velocity_sums().names()) EXPECT_NE(message.find(name), std::string::npos) << message;
   }
 }
 
@@ -39,7 +39,7 @@ TEST(BiotSavartRegistry, UnknownNameSaysWhichAreValid) {
 class EverySummation : public testing::Test {
  protected:
   void expect_refused(double delta) {
-    for (const auto name : velocity_sums().names()) {
+    for (const std::string& name : velocity_sums().names()) {
       EXPECT_THROW(make_biot_savart(name)->velocities(sources, targets, delta, out), base::InputError) << name;
       for (const Vec3& u : out) EXPECT_EQ(u, Vec3(7, 7, 7)) << name;
     }
@@ -68,7 +68,7 @@ TEST_F(EverySummation, RefusesSourcesOfUnequalLength) {
 }
 
 TEST_F(EverySummation, NoSourcesGiveNoVelocity) {
-  for (const auto name : velocity_sums().names()) {
+  for (const std::string& name : velocity_sums().names()) {
     make_biot_savart(name)->velocities(sources, targets, 0, out);
     for (const Vec3& u : out) EXPECT_EQ(u, Vec3(0, 0, 0)) << name;
   }

@@ -1,10 +1,8 @@
 #include "FoamSim/run/checkpoint.h"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "Base/error.h"
-#include "Base/io/atomic_file.h"
 #include "Base/options/options_json.h"
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/state_json.h"
@@ -16,9 +14,6 @@ using lostopos::SurfaceMesh;
 using nlohmann::json;
 
 namespace {
-
-constexpr int version = 3;
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34;
 
 json topology_json(const TopologyTotals& t) {
   return {t.snaps, t.edge_merges, t.separations, t.region_collapses, t.cancelled_triangles};
@@ -35,9 +30,37 @@ json volumes_json(const std::vector<lostopos::RegionVolume>& volumes) {
   return list;
 }
 
+// What the last step measured, and a simulation cannot know without doing it again.
+json last_json(const Metrics& last) {
+  return {{"kinetic_energy", last.kinetic_energy},
+          {"potential_energy", last.potential_energy},
+          {"impulse", {last.impulse.x(), last.impulse.y(), last.impulse.z()}},
+          {"impulse_scale", last.impulse_scale},
+          {"motion_fraction", last.motion_fraction}};
+}
+
+lostopos::Vec3 vector_from(const json& value) {
+  const auto x = value.get<std::array<double, 3>>();
+  return {x[0], x[1], x[2]};
+}
+
+StepReport last_from(const json& value) {
+  StepReport last;
+  last.kinetic_energy = value.at("kinetic_energy");
+  last.potential_energy = value.at("potential_energy");
+  last.impulse = vector_from(value.at("impulse"));
+  last.impulse_scale = value.at("impulse_scale");
+  last.motion_fraction = value.at("motion_fraction");
+  return last;
+}
+
+json quiet_json(const std::deque<RestDetector::Sample>& quiet) {
+  json list = json::array();
+  for (const auto& [time, angle] : quiet) list.push_back({time, angle});
+  return list;
+}
+
 Checkpoint checkpoint_from(const json& value) {
-  if (value.at("format") != "foamsim checkpoint" || value.at("version") != version)
-    throw base::InputError("it is not a checkpoint of version " + std::to_string(version));
   Scene scene{value.at("scene"), value.at("mesh_file"), base::OptionSet(scene_option_specs()), {}};
   base::options_from_json(value.at("options"), scene.options);
   Checkpoint checkpoint{.scene = std::move(scene),
@@ -45,52 +68,37 @@ Checkpoint checkpoint_from(const json& value) {
                         .step = value.at("step"),
                         .topology = topology_from(value.at("topology")),
                         .resolution = value.at("resolution"),
-                        .start_volumes = {},
-                        .start_centroid = lostopos::Vec3::Zero()};
+                        .start = {{}, vector_from(value.at("start_centroid"))},
+                        .last = last_from(value.at("last")),
+                        .quiet = {}};
   for (const json& entry : value.at("start_volumes"))
-    checkpoint.start_volumes.push_back({Region(entry.at(0).get<std::uint32_t>()), entry.at(1)});
-  const auto centroid = value.at("start_centroid").get<std::array<double, 3>>();
-  checkpoint.start_centroid = {centroid[0], centroid[1], centroid[2]};
+    checkpoint.start.volumes.push_back({Region(entry.at(0).get<std::uint32_t>()), entry.at(1)});
+  for (const json& entry : value.at("quiet")) checkpoint.quiet.push_back({entry.at(0), entry.at(1)});
   return checkpoint;
 }
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& file, const Scene& scene, const Simulation& simulation,
-                      const std::vector<lostopos::RegionVolume>& start_volumes, const lostopos::Vec3& start_centroid) {
-  const json value{{"format", "foamsim checkpoint"},
-                   {"version", version},
-                   {"scene", scene.name},
-                   {"mesh_file", scene.mesh_file},
-                   {"options", base::options_to_json(scene.options)},
-                   {"step", simulation.steps()},
-                   {"topology", topology_json(simulation.topology_totals())},
-                   {"resolution", simulation.resolution()},
-                   {"start_volumes", volumes_json(start_volumes)},
-                   {"start_centroid", {start_centroid.x(), start_centroid.y(), start_centroid.z()}},
-                   {"mesh", lostopos::to_json(simulation.mesh().state())}};
-  const std::vector<std::uint8_t> bytes = json::to_cbor(value);
-  base::AtomicFile out(file);
-  out.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  out.commit();
+json checkpoint_content(const Scene& scene, const Simulation& simulation, const StartOfRun& start, const Metrics& last,
+                        const std::deque<RestDetector::Sample>& quiet) {
+  return {{"scene", scene.name},
+          {"mesh_file", scene.mesh_file},
+          {"options", base::options_to_json(scene.options)},
+          {"step", simulation.steps()},
+          {"topology", topology_json(simulation.topology_totals())},
+          {"resolution", simulation.resolution()},
+          {"start_volumes", volumes_json(start.volumes)},
+          {"start_centroid", {start.centroid.x(), start.centroid.y(), start.centroid.z()}},
+          {"last", last_json(last)},
+          {"quiet", quiet_json(quiet)},
+          {"mesh", lostopos::to_json(simulation.mesh().state())}};
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  std::ifstream in(file, std::ios::binary);
-  if (error || !in)
-    throw base::FileError("cannot read the checkpoint " + file.string() + "; give a run's checkpoint.cbor");
-  if (size > most_bytes) throw base::InputError(file.string() + " is too large to be a checkpoint");
-  std::vector<std::uint8_t> bytes(size);
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  try {
-    return checkpoint_from(json::from_cbor(bytes));
-  } catch (const json::exception& problem) {
-    throw base::InputError(file.string() + " is not a whole checkpoint: " + problem.what());
-  } catch (const base::Error& problem) {
-    throw base::InputError(file.string() + " is not a whole checkpoint: " + problem.what());
-  }
+  std::optional<Checkpoint> checkpoint;
+  lostopos::run::read_checkpoint(file, checkpoint_format(),
+                                 [&](const json& content) { checkpoint = checkpoint_from(content); });
+  return std::move(*checkpoint);
 }
 
 Simulation resume(Checkpoint& checkpoint) try {

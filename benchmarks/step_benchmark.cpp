@@ -17,7 +17,7 @@ void double_bubble_step(benchmark::State& state) {
     foamsim::StepReport report = simulation.step();
     {
       const base::TimedScope timed(report.times, "metrics");
-      benchmark::DoNotOptimize(foamsim::measure(simulation, report, 0, volumes));
+      benchmark::DoNotOptimize(foamsim::measure(simulation, report, volumes));
     }
     times.add(report.times);
   }

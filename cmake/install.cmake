@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FoamSim)
 
-install(TARGETS base console lostopos multitracker foamsim foamsim_studies foamsim_render foamsim_app EXPORT FoamSimTargets
+install(TARGETS base console lostopos lostopos_run multitracker foamsim foamsim_studies foamsim_render foamsim_app EXPORT FoamSimTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS foamsim_program multitracker_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(folder Base LosTopos MultiTracker FoamSim)

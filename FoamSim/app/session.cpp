@@ -1,5 +1,6 @@
 #include "FoamSim/app/session.h"
 
+#include "Base/console/terminal.h"
 #include "Base/error.h"
 
 namespace foamsim::app {
@@ -11,7 +12,8 @@ ThreadLimit thread_limit(int threads) {
 
 RunHooks hooks_for(Progress& progress) {
   return {[&progress](const Metrics& metrics, double fraction) { progress.show(metrics, fraction); },
-          [] { return InterruptGuard::interrupted(); }};
+          [] { return InterruptGuard::interrupted(); },
+          [](const std::string& note) { base::print_warning("foamsim", note); }};
 }
 
 }  // namespace foamsim::app

@@ -13,30 +13,6 @@ namespace foamsim {
 using lostopos::RegionVolume;
 using lostopos::Vec3;
 
-double largest_volume_drift(const std::vector<RegionVolume>& now, const std::vector<RegionVolume>& start) {
-  double largest = 0;
-  for (const RegionVolume& before : start) {
-    if (before.region == lostopos::air || before.volume == 0) continue;
-    const auto it = std::ranges::lower_bound(now, before.region, {}, &RegionVolume::region);
-    if (it == now.end() || it->region != before.region) continue;
-    largest = std::max(largest, std::abs(it->volume / before.volume - 1));
-  }
-  return largest;
-}
-
-std::vector<RegionVolume> closed_region_volumes(const lostopos::SurfaceMesh& mesh) {
-  std::vector<lostopos::Region> open;
-  for (lostopos::Edge e : mesh.edges()) {
-    if (mesh.triangles(e).size() != 1) continue;
-    const lostopos::Labels labels = mesh.labels(mesh.triangles(e)[0]);
-    open.insert(open.end(), {labels.p, labels.q});
-  }
-  std::ranges::sort(open);
-  std::vector<RegionVolume> volumes = lostopos::region_volumes(mesh);
-  std::erase_if(volumes, [&open](const RegionVolume& v) { return std::ranges::binary_search(open, v.region); });
-  return volumes;
-}
-
 double smallest_triangle_angle(const lostopos::SurfaceMesh& mesh) {
   double smallest = std::numbers::pi;
   for (lostopos::Triangle t : mesh.triangles()) {
@@ -66,12 +42,11 @@ void take_tracker_counts(const StepReport& report, Metrics& m) {
   m.impact_zones = report.move.inelastic_zones + report.move.rigid_zones;
   m.incomplete_vertices = report.topology.incomplete_vertices;
   m.topology_seconds = report.topology.seconds;
-  m.events = report.topology.events;
 }
 
 }  // namespace
 
-Metrics measure(const Simulation& simulation, const StepReport& report, double step_seconds,
+Metrics measure(const Simulation& simulation, const StepReport& report,
                 const std::vector<RegionVolume>& start_volumes) {
   const lostopos::SurfaceMesh& mesh = simulation.mesh();
   const JunctionAngles angles = junction_angles(mesh);
@@ -81,7 +56,7 @@ Metrics measure(const Simulation& simulation, const StepReport& report, double s
   m.time = simulation.time();
   m.vertices = mesh.vertex_count();
   m.triangles = mesh.triangle_count();
-  m.volumes = closed_region_volumes(mesh);
+  m.volumes = lostopos::closed_region_volumes(mesh);
   m.regions = lostopos::regions(mesh).size();
   m.area = simulation.geometry().total_area();
   m.kinetic_energy = report.kinetic_energy;
@@ -94,9 +69,8 @@ Metrics measure(const Simulation& simulation, const StepReport& report, double s
   m.angle_outer_mean_deg = angles.outer_mean_deg;
   m.angle_rms_film_deg = films.rms_deviation_deg;
   m.angle_outer_mean_film_deg = films.outer_mean_deg;
-  m.volume_drift_max = largest_volume_drift(m.volumes, start_volumes);
+  m.volume_drift_max = lostopos::largest_volume_drift(m.volumes, start_volumes);
   m.triangle_angle_min_deg = smallest_triangle_angle(mesh);
-  m.step_seconds = step_seconds;
   m.topology_totals = simulation.topology_totals();
   m.velocity_evaluations = report.velocity_evaluations;
   take_tracker_counts(report, m);

@@ -20,16 +20,15 @@ struct Metrics {
   double impulse_scale = 0;                          ///< Σ|2Γ̄ area|, L⁴/T
   lostopos::Vec3 centroid = lostopos::Vec3::Zero();  ///< area-weighted over films, L
   std::optional<double> angle_rms_deg, angle_outer_mean_deg;
-  double volume_drift_max = 0;                                          ///< see largest_volume_drift
+  double volume_drift_max = 0;                                          ///< see lostopos::largest_volume_drift
   double triangle_angle_min_deg = 0;                                    ///< smallest corner angle of any triangle
   std::optional<double> angle_rms_film_deg, angle_outer_mean_film_deg;  ///< see FilmAngles
   TopologyTotals topology_totals;                                       ///< since the start
-  std::size_t incomplete_vertices = 0;          ///< where two regions meet without a common film, after the step
-  double topology_seconds = 0;                  ///< wall time of the step's topology passes
-  std::vector<lostopos::TopologyEvent> events;  ///< of the step, in order, for events.csv
-  double step_seconds = 0;                      ///< wall time of the step
-  long velocity_evaluations = 0;                ///< in the step
-  double motion_fraction = 1;                   ///< of the predicted motion that the tracker could do
+  std::size_t incomplete_vertices = 0;  ///< where two regions meet without a common film, after the step
+  double topology_seconds = 0;          ///< wall time of the step's topology passes
+  double step_seconds = 0;              ///< wall time of the step
+  long velocity_evaluations = 0;        ///< in the step
+  double motion_fraction = 1;           ///< of the predicted motion that the tracker could do
   /// In the step: remeshing operations done, refused in all, collisions answered.
   std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
   std::size_t collisions = 0, impact_zones = 0;
@@ -39,19 +38,10 @@ struct Metrics {
   std::vector<lostopos::RegionVolume> volumes;  ///< L³, for volumes.csv
 };
 
-/// Measures the simulation's surface. `start_volumes`: closed_region_volumes at the start of the run.
-Metrics measure(const Simulation& simulation, const StepReport& report, double step_seconds,
+/// Measures the simulation's surface after a step; its `step_seconds` are for who timed it to say. `start_volumes`:
+/// closed_region_volumes at the start of the run.
+Metrics measure(const Simulation& simulation, const StepReport& report,
                 const std::vector<lostopos::RegionVolume>& start_volumes);
-
-/// The volumes of the regions whose boundary is closed, sorted by region, the air included where it is one. A region
-/// that an open film bounds, one that ends at a wire, has no volume.
-std::vector<lostopos::RegionVolume> closed_region_volumes(const lostopos::SurfaceMesh& mesh);
-
-/// Largest |V/V0 − 1| over the regions of both lists but the air. Regions that were empty at the start are left out,
-/// and so are those that are not there now: they have vanished by design (a region collapse, or bubbles that became
-/// one), and have not lost their volume to errors.
-double largest_volume_drift(const std::vector<lostopos::RegionVolume>& now,
-                            const std::vector<lostopos::RegionVolume>& start);
 
 /// Smallest corner angle of all triangles, degrees.
 double smallest_triangle_angle(const lostopos::SurfaceMesh& mesh);

@@ -16,16 +16,20 @@ class RestDetector {
   static constexpr double energy_ratio = 1e-6;
   static constexpr double angle_change_deg = 0.02;
 
-  explicit RestDetector(double window) : window_(window) {}
-  /// Takes the metrics of the next step; true when the surface is at rest.
-  bool add(const Metrics& metrics);
-
- private:
   struct Sample {
     double time, angle;
   };
+
+  /// `quiet`: what an earlier detector had seen, to go on with.
+  explicit RestDetector(double window, std::deque<Sample> quiet = {}) : window_(window), quiet_(std::move(quiet)) {}
+  /// Takes the metrics of the next step; true when the surface is at rest.
+  bool add(const Metrics& metrics);
+  /// Unbroken quiet samples, no older than the window.
+  const std::deque<Sample>& quiet() const { return quiet_; }
+
+ private:
   double window_;
-  std::deque<Sample> quiet_;  // unbroken quiet samples, no older than the window
+  std::deque<Sample> quiet_;
 };
 
 }  // namespace foamsim

@@ -1,24 +1,37 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 
+#include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/scenes/scene.h"
-#include "LosTopos/mesh/measures.h"
+#include "LosTopos/run/checkpoint.h"
 
 namespace foamsim {
+
+/// The surface at the start of a run, which later ones are compared with.
+struct StartOfRun {
+  std::vector<lostopos::RegionVolume> volumes;  ///< of closed regions, L³
+  lostopos::Vec3 centroid = lostopos::Vec3::Zero();
+};
 
 /// What a run needs to go on as if it had not stopped, to the bit.
 struct Checkpoint {
   Scene scene;
   SimulationState state;
-  double resolution = 0;                              ///< h̄, L
-  std::vector<lostopos::RegionVolume> start_volumes;  ///< at the start of the run
-  lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();
+  double resolution = 0;  ///< h̄, L
+  StartOfRun start;
+  StepReport last;  ///< energies, impulse and motion fraction of the last step
+  std::deque<RestDetector::Sample> quiet;
 };
 
-/// Writes the state of `simulation` to `file` (CBOR), atomically. Throws base::FileError.
-void write_checkpoint(const std::filesystem::path& file, const Scene& scene, const Simulation& simulation,
-                      const std::vector<lostopos::RegionVolume>& start_volumes, const lostopos::Vec3& start_centroid);
+inline lostopos::run::CheckpointFormat checkpoint_format() {
+  return {"foamsim", 4};
+}
+
+/// What a checkpoint holds of a run; `last`: of the step before it.
+nlohmann::json checkpoint_content(const Scene& scene, const Simulation& simulation, const StartOfRun& start,
+                                  const Metrics& last, const std::deque<RestDetector::Sample>& quiet);
 
 /// Throws base::InputError, naming the file, for anything that is not a whole checkpoint of a known version.
 /// `catalogue`: what its names mean.

@@ -7,6 +7,7 @@
 
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/scene.h"
+#include "LosTopos/run/run.h"
 
 namespace foamsim {
 
@@ -19,14 +20,14 @@ struct StopAt {
 
 struct RunSettings {
   std::filesystem::path out;
-  bool force = false;            ///< replace a run that `out` holds
-  std::filesystem::path resume;  ///< go on from this checkpoint; empty: from the scene's start
+  bool force = false;  ///< replace a run that `out` holds
+  std::filesystem::path
+      resume;  ///< go on from this checkpoint (or the one in this folder); empty: from the scene's start
   StopAt stop;
   std::string command;  ///< the command line, for run.json
 };
 
-enum class RunEnd { finished, at_rest, not_at_rest, interrupted, failed };
-std::string_view name(RunEnd end);
+using RunEnd = lostopos::run::End;
 
 struct RunOutcome {
   RunEnd end = RunEnd::finished;
@@ -46,16 +47,17 @@ struct RunOutcome {
 /// What the caller of a run hears and may say while it goes on.
 struct RunHooks {
   std::function<void(const Metrics&, double fraction_done)> progress;  ///< after every step
-  std::function<bool()> interrupted;                                   ///< asked after every step
+  std::function<bool()> interrupted;                                   ///< asked before every step
+  std::function<void(const std::string&)> warn = {};                   ///< what to know before the first step
 };
 
 /// The options' bound on --until-rest, in characteristic times √(R³/σ) of the mean bubble.
 inline constexpr double rest_patience = 500;
 
 /// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, events.csv where the topology may change,
-/// frames, checkpoint). A simulation that
-/// cannot go on, or an interruption, ends the run with the last good state saved; base::InputError (bad scene,
-/// folder or checkpoint, disk full) is thrown, before anything is written where that is possible.
+/// frames, checkpoint). A simulation that cannot go on, or an interruption, ends the run with the last good state
+/// saved; base::InputError (bad scene, folder or checkpoint, a surface or resolution that check_start refuses, more
+/// steps than can be counted, disk full) is thrown, before anything is written where that is possible.
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks = {});
 
 }  // namespace foamsim

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace lostopos {
 
@@ -54,6 +55,30 @@ Vec3 surface_centroid(const SurfaceMesh& mesh) {
     moment += a * (barycentre(mesh, t) - origin);
   }
   return sum > 0 ? Vec3(origin + moment / sum) : origin;
+}
+
+double largest_volume_drift(const std::vector<RegionVolume>& now, const std::vector<RegionVolume>& start) {
+  double largest = 0;
+  for (const RegionVolume& before : start) {
+    if (before.region == air || before.volume == 0) continue;
+    const auto it = std::ranges::lower_bound(now, before.region, {}, &RegionVolume::region);
+    if (it == now.end() || it->region != before.region) continue;
+    largest = std::max(largest, std::abs(it->volume / before.volume - 1));
+  }
+  return largest;
+}
+
+std::vector<RegionVolume> closed_region_volumes(const SurfaceMesh& mesh) {
+  std::vector<Region> open;
+  for (Edge e : mesh.edges()) {
+    if (mesh.triangles(e).size() != 1) continue;
+    const Labels labels = mesh.labels(mesh.triangles(e)[0]);
+    open.insert(open.end(), {labels.p, labels.q});
+  }
+  std::ranges::sort(open);
+  std::vector<RegionVolume> volumes = region_volumes(mesh);
+  std::erase_if(volumes, [&open](const RegionVolume& v) { return std::ranges::binary_search(open, v.region); });
+  return volumes;
 }
 
 std::vector<Region> regions(const SurfaceMesh& mesh) {

@@ -30,6 +30,15 @@ struct RegionVolume {
 /// triangles, not with the largest label.
 std::vector<RegionVolume> region_volumes(const SurfaceMesh& mesh);
 
+/// The volumes of the regions whose boundary is closed, sorted by region, the air included where it is one. A region
+/// that an open film bounds, one that ends at a wire, has no volume.
+std::vector<RegionVolume> closed_region_volumes(const SurfaceMesh& mesh);
+
+/// Largest |V/V0 − 1| over the regions of both lists but the air; both are sorted by region. Regions that were empty at
+/// the start are left out, and so are those that are not there now: they have vanished by design (a region collapse, or
+/// bubbles that became one), and have not lost their volume to errors.
+double largest_volume_drift(const std::vector<RegionVolume>& now, const std::vector<RegionVolume>& start);
+
 /// The regions in use, ascending.
 std::vector<Region> regions(const SurfaceMesh& mesh);
 

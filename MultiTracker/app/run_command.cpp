@@ -11,7 +11,6 @@
 #include "LosTopos/io/mesh_file.h"
 #include "MultiTracker/app/commands.h"
 #include "MultiTracker/run/run.h"
-#include "MultiTracker/run/run_json.h"
 
 namespace multitracker::app {
 namespace {
@@ -64,13 +63,13 @@ int run_scene(const Arguments& arguments, const Program& program) {
   const RunOutcome outcome = [&] {
     base::Progress progress(arguments.scene, arguments.quiet);
     return run(tracking, options.whole("steps"), options.whole("frame_every"),
-               {arguments.out, arguments.force, arguments.audit},
+               {arguments.out,
+                arguments.force,
+                arguments.audit,
+                {MULTITRACKER_VERSION, program.command_line, arguments.scene, arguments.mesh, options}},
                {[&](const Metrics& m, double fraction) { progress.show(m.step, m.time, fraction); },
                 [] { return base::InterruptGuard::interrupted(); }});
   }();
-  if (!arguments.out.empty())
-    write_run_json(std::filesystem::path(arguments.out) / "run.json",
-                   {MULTITRACKER_VERSION, program.command_line, arguments.scene, arguments.mesh}, options, outcome);
   if (outcome.end == RunEnd::failed) {
     base::print_error(program.name, outcome.message);
     base::print_error(program.name, "the last good state is " + (arguments.out.empty() ? "not saved; give --out DIR"

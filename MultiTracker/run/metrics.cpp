@@ -1,7 +1,5 @@
 #include "MultiTracker/run/metrics.h"
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -13,24 +11,8 @@ using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::TopologyOperation;
 
-namespace {
-
-double largest_drift(const SurfaceMesh& mesh, std::span<const lostopos::RegionVolume> start) {
-  if (start.empty()) return 0;
-  const auto now = lostopos::region_volumes(mesh);
-  double largest = 0;
-  for (const auto& [region, volume] : start) {
-    if (region == lostopos::air || volume == 0) continue;
-    const auto it = std::ranges::find(now, region, &lostopos::RegionVolume::region);
-    largest = std::max(largest, std::abs((it == now.end() ? 0 : it->volume) / volume - 1));
-  }
-  return largest;
-}
-
-}  // namespace
-
 Metrics measure(const SurfaceMesh& mesh, const lostopos::TrackerStep& step,
-                std::span<const lostopos::RegionVolume> start_volumes) {
+                const std::vector<lostopos::RegionVolume>& start_volumes) {
   Metrics m;
   m.vertices = mesh.vertex_count();
   m.triangles = mesh.triangle_count();
@@ -40,7 +22,8 @@ Metrics measure(const SurfaceMesh& mesh, const lostopos::TrackerStep& step,
   m.shared_area = areas.shared;
   m.air_area = areas.air_side;
   m.junction_edges = lostopos::junction_edge_count(mesh);
-  m.volume_drift_max = largest_drift(mesh, start_volumes);
+  m.volume_drift_max =
+      start_volumes.empty() ? 0 : lostopos::largest_volume_drift(lostopos::region_volumes(mesh), start_volumes);
   m.motion_fraction = step.move.fraction;
   m.snaps = step.topology[TopologyOperation::snap].done;
   m.edge_merges = step.topology[TopologyOperation::edge_merge].done;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "LosTopos/mesh/measures.h"
@@ -17,15 +16,15 @@ struct Metrics {
   double shared_area = 0;  ///< of films between two regions that are not air
   double air_area = 0;     ///< of films that touch the air
   std::size_t junction_edges = 0;
-  double volume_drift_max = 0;  ///< largest |V / V at the start − 1| over the regions but the air
+  double volume_drift_max = 0;  ///< see lostopos::largest_volume_drift
   double motion_fraction = 1;   ///< of the asked motion that was done
   std::size_t snaps = 0, edge_merges = 0, separations = 0, region_collapses = 0, incomplete_vertices = 0;
   double flow_seconds = 0, move_seconds = 0, topology_seconds = 0, remesh_seconds = 0;  ///< wall time
 };
 
-/// `start_volumes`: empty for films that are not closed; the drift is 0 then. A region that is gone has drifted by 1.
+/// `start_volumes`: empty for films that are not closed; the drift is 0 then.
 Metrics measure(const lostopos::SurfaceMesh& mesh, const lostopos::TrackerStep& step,
-                std::span<const lostopos::RegionVolume> start_volumes);
+                const std::vector<lostopos::RegionVolume>& start_volumes);
 
 /// One region but the air.
 struct RegionState {

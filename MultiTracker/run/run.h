@@ -4,14 +4,22 @@
 #include <functional>
 #include <string>
 
+#include "LosTopos/run/run.h"
 #include "MultiTracker/run/tracking.h"
 
 namespace multitracker {
+
+/// How a run was called for: what its run.json begins with.
+struct RunCall {
+  std::string version, command, scene, mesh_file;
+  base::OptionSet options = base::OptionSet({});
+};
 
 struct RunSettings {
   std::filesystem::path out;  ///< empty: nothing is written
   bool force = false;         ///< replace a run that the folder holds
   bool audit = false;         ///< audit the surface after every step, and stop when it is not clean
+  RunCall call = {};
 };
 
 /// Asked for and told while a run goes on; may be empty.
@@ -20,9 +28,7 @@ struct RunHooks {
   std::function<bool()> interrupted;
 };
 
-enum class RunEnd { finished, interrupted, failed };
-/// "finished", "interrupted", "failed".
-const char* name(RunEnd end);
+using RunEnd = lostopos::run::End;
 
 struct RunOutcome {
   RunEnd end = RunEnd::finished;

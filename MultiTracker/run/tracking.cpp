@@ -1,20 +1,37 @@
 #include "MultiTracker/run/tracking.h"
 
 #include "Base/timing/stopwatch.h"
+#include "LosTopos/run/events_csv.h"
+#include "MultiTracker/run/metrics_csv.h"
 
 namespace multitracker {
 
 using lostopos::SurfaceMesh;
+using lostopos::run::Table;
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json state_json(const Metrics& m) {
+  return {{"step", m.step},
+          {"time", m.time},
+          {"triangles", m.triangles},
+          {"regions", m.regions},
+          {"area", m.area},
+          {"shared_area", m.shared_area},
+          {"air_area", m.air_area},
+          {"junction_edges", m.junction_edges},
+          {"volume_drift_max", m.volume_drift_max}};
+}
+
+}  // namespace
 
 Tracking::Tracking(const SceneEntry& scene, const base::OptionSet& options, std::optional<SurfaceMesh> surface)
-    : Tracking(scene, options, surface ? std::move(*surface) : scene.surface(options), 0) {}
-
-Tracking::Tracking(const SceneEntry& scene, const base::OptionSet& options, SurfaceMesh surface, int)
     : closed_(scene.closed),
-      drive_(scene.drive(options, surface)),
-      tracker_(start_tracker(scene, options, std::move(surface))) {
+      drive_(scene.drive(options, surface ? *surface : surface.emplace(scene.surface(options)))),
+      tracker_(start_tracker(scene, options, std::move(*surface))) {
   if (closed_) start_volumes_ = lostopos::region_volumes(mesh());
-  metrics_ = measure(mesh(), last_, start_volumes_);
+  start_ = metrics_ = measure(mesh(), {}, start_volumes_);
 }
 
 void Tracking::step() {
@@ -22,12 +39,28 @@ void Tracking::step() {
   const auto now = [this] { return FlowStep{mesh(), tracker_.held().slots(), metrics_.time, drive_.dt}; };
   const auto predicted = drive_.flow->predicted(now());
   const double flow_seconds = watch.seconds();
-  last_ = tracker_.step(predicted, [&](lostopos::Vertex v) { return drive_.flow->still_moves(now(), v); });
+  lostopos::TrackerStep done =
+      tracker_.step(predicted, [&](lostopos::Vertex v) { return drive_.flow->still_moves(now(), v); });
   const long step = metrics_.step + 1;
-  metrics_ = measure(mesh(), last_, start_volumes_);
+  metrics_ = measure(mesh(), done, start_volumes_);
   metrics_.step = step;
   metrics_.time = static_cast<double>(step) * drive_.dt;
   metrics_.flow_seconds = flow_seconds;
+  work_ = {{}, done.move.statistics, std::move(done.topology), done.remesh};
+  work_.times.add("flow", flow_seconds);
+  work_.times.add("move", done.move_seconds);
+  work_.times.add("topology", done.topology_seconds);
+  work_.times.add("remesh", done.remesh_seconds);
+}
+
+std::vector<Table> Tracking::tables() const {
+  return {{"metrics.csv", metrics_header(), 1, [this] { return metrics_row(metrics_); }},
+          {"volumes.csv", volumes_header(), 1, [this] { return volumes_rows(metrics_, mesh()); }},
+          lostopos::run::events_table(*this)};
+}
+
+ordered_json Tracking::summary() const {
+  return {{"start", state_json(start_)}, {"last", state_json(metrics_)}};
 }
 
 lostopos::AuditReport Tracking::audit() const {

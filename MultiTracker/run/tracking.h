@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "LosTopos/mesh/audit.h"
+#include "LosTopos/run/motion.h"
 #include "MultiTracker/run/metrics.h"
 #include "MultiTracker/scenes/scene.h"
 
 namespace multitracker {
 
-/// A scene on its way, step by step, in memory.
-class Tracking {
+/// A scene on its way, step by step.
+class Tracking final : public lostopos::run::Motion {
  public:
   /// Starts on `surface`, or on the scene's own. Throws base::InputError for options out of range.
   Tracking(const SceneEntry& scene, const base::OptionSet& options,
@@ -19,26 +20,31 @@ class Tracking {
 
   /// Throws what SurfaceTracker::step throws; the surface is then as the last part of a step that could be done left
   /// it.
-  void step();
+  void step() override;
+  long steps() const override { return metrics_.step; }
+  double time() const override { return metrics_.time; }
+  const lostopos::SurfaceMesh& mesh() const override { return tracker_.mesh(); }
+  const lostopos::run::StepWork& last() const override { return work_; }
+  /// metrics.csv and volumes.csv (a row a region), each step, and events.csv.
+  std::vector<lostopos::run::Table> tables() const override;
+  /// The surface's measures at the start and now.
+  nlohmann::ordered_json summary() const override;
 
   const lostopos::SurfaceTracker& tracker() const { return tracker_; }
-  const lostopos::SurfaceMesh& mesh() const { return tracker_.mesh(); }
   /// Of the last step; at the start: no motion, nothing done.
   const Metrics& metrics() const { return metrics_; }
-  const lostopos::TrackerStep& last() const { return last_; }
+  const Metrics& start() const { return start_; }
   double dt() const { return drive_.dt; }
   /// With open ends allowed where the scene has them.
   lostopos::AuditReport audit() const;
 
  private:
-  Tracking(const SceneEntry& scene, const base::OptionSet& options, lostopos::SurfaceMesh surface, int);
-
   bool closed_;
   Drive drive_;
   lostopos::SurfaceTracker tracker_;
   std::vector<lostopos::RegionVolume> start_volumes_;
-  lostopos::TrackerStep last_;
-  Metrics metrics_;
+  lostopos::run::StepWork work_;
+  Metrics start_, metrics_;
 };
 
 }  // namespace multitracker

@@ -39,7 +39,8 @@ SceneEntry normal_flow() {
           {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
            base::flag("one_region", false, "all spheres are one region and flow together"),
            base::positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
-          // Films that are pressed together meet before they crumple: METHOD's distance, not that of plain tracking.
+          // Films that are pressed together meet before they crumple: the distance of docs/method.md, not that of plain
+          // tracking.
           {{"steps", 60L}, {"topology.merge_distance", 0.1}},
           [](const base::OptionSet& options) {
             return lostopos::sphere_meshes(spheres(options), options.flag("one_region"));

@@ -112,7 +112,7 @@ class AccuracyRun {
     row_.time = simulation_.time();
     row_.triangles = simulation_.mesh().triangle_count();
     row_.resolution = simulation_.resolution();
-    row_.volume_drift = largest_volume_drift(lostopos::region_volumes(simulation_.mesh()), start_volumes_);
+    row_.volume_drift = lostopos::largest_volume_drift(lostopos::region_volumes(simulation_.mesh()), start_volumes_);
     try {
       row_.errors = equilibrium_errors(simulation_.mesh());
     } catch (const base::InputError& error) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "FoamSim/metrics/junction_angles.h"
+#include "FoamSim/run/simulation_motion.h"
 #include "FoamSim/scenes/scene.h"
 
 namespace foamsim {
@@ -21,53 +22,38 @@ Scene scene_for(const CaseSetup& setup) {
   return scene;
 }
 
-class SimulatedMotion final : public CaseMotion {
- public:
-  explicit SimulatedMotion(Simulation simulation)
-      : simulation_(std::move(simulation)), start_volumes_(lostopos::region_volumes(simulation_.mesh())) {}
-
-  Metrics start() const override {
-    StepReport none;
-    none.potential_energy = simulation_.potential_energy();
-    return measure(simulation_, none, 0, start_volumes_);
-  }
-  Metrics step() override {
-    const StepReport report = simulation_.step();
-    return measure(simulation_, report, 0, start_volumes_);
-  }
-  const SurfaceMesh& mesh() const override { return simulation_.mesh(); }
-
- private:
-  Simulation simulation_;
-  std::vector<lostopos::RegionVolume> start_volumes_;
-};
-
-class PrescribedMotion final : public CaseMotion {
+class PrescribedMotion final : public MeasuredMotion {
  public:
   PrescribedMotion(SurfaceMesh mesh, const lostopos::TrackerOptions& options, double dt,
                    std::function<Vec3(const Vec3&)> flow)
       : tracker_(std::move(mesh), options),
         dt_(dt),
         flow_(std::move(flow)),
-        start_volumes_(lostopos::region_volumes(tracker_.mesh())) {}
+        start_volumes_(lostopos::region_volumes(tracker_.mesh())),
+        metrics_(measured()) {}
 
-  Metrics start() const override { return measured(); }
-  Metrics step() override {
+  void step() override {
     const auto positions = mesh().positions();
     predicted_.assign(positions.begin(), positions.end());
     for (lostopos::Vertex v : mesh().vertices()) predicted_[v.index()] = flow_(mesh().position(v));
-    totals_.add(tracker_.step(predicted_).topology);
+    lostopos::TrackerStep done = tracker_.step(predicted_);
+    totals_.add(done.topology);
+    work_ = {{}, done.move.statistics, std::move(done.topology), done.remesh};
     ++steps_;
-    return measured();
+    metrics_ = measured();
   }
+  long steps() const override { return steps_; }
+  double time() const override { return static_cast<double>(steps_) * dt_; }
   const SurfaceMesh& mesh() const override { return tracker_.mesh(); }
+  const lostopos::run::StepWork& last() const override { return work_; }
+  const Metrics& metrics() const override { return metrics_; }
 
  private:
   Metrics measured() const {
     const JunctionAngles angles = junction_angles(mesh());
     Metrics m;
     m.step = steps_;
-    m.time = static_cast<double>(steps_) * dt_;
+    m.time = time();
     m.vertices = mesh().vertex_count();
     m.triangles = mesh().triangle_count();
     m.volumes = lostopos::region_volumes(mesh());
@@ -76,7 +62,7 @@ class PrescribedMotion final : public CaseMotion {
     m.centroid = lostopos::surface_centroid(mesh());
     m.angle_rms_deg = angles.rms_deviation_deg;
     m.angle_outer_mean_deg = angles.outer_mean_deg;
-    m.volume_drift_max = largest_volume_drift(m.volumes, start_volumes_);
+    m.volume_drift_max = lostopos::largest_volume_drift(m.volumes, start_volumes_);
     m.triangle_angle_min_deg = smallest_triangle_angle(mesh());
     m.topology_totals = totals_;
     return m;
@@ -89,22 +75,25 @@ class PrescribedMotion final : public CaseMotion {
   std::vector<Vec3> predicted_;
   TopologyTotals totals_;
   long steps_ = 0;
+  lostopos::run::StepWork work_;
+  Metrics metrics_;
 };
 
 }  // namespace
 
-std::unique_ptr<CaseMotion> simulated(const CaseSetup& setup, SurfaceMesh mesh, const SimulatedOptions& options) {
+std::unique_ptr<MeasuredMotion> simulated(const CaseSetup& setup, SurfaceMesh mesh, const SimulatedOptions& options) {
   Scene scene = scene_for(setup);
   scene.options.set("dt", options.dt, "stability study");
   scene.options.set("sigma", options.sigma, "stability study");
   const double resolution = options.resolution > 0 ? options.resolution : lostopos::mean_edge_length(mesh);
   Simulation simulation = make_simulation(scene, std::move(mesh), resolution, {});
   if (options.circulation) options.circulation(simulation.mesh(), simulation.circulation());
-  return std::make_unique<SimulatedMotion>(std::move(simulation));
+  auto volumes = lostopos::closed_region_volumes(simulation.mesh());
+  return std::make_unique<SimulationMotion>(std::move(simulation), std::move(volumes));
 }
 
-std::unique_ptr<CaseMotion> prescribed(const CaseSetup& setup, SurfaceMesh mesh, double dt,
-                                       std::function<Vec3(const Vec3&)> flow) {
+std::unique_ptr<MeasuredMotion> prescribed(const CaseSetup& setup, SurfaceMesh mesh, double dt,
+                                           std::function<Vec3(const Vec3&)> flow) {
   lostopos::TrackerOptions options = simulation_options(scene_for(setup).options).tracker;
   options.resolution = lostopos::mean_edge_length(mesh);
   return std::make_unique<PrescribedMotion>(std::move(mesh), options, dt, std::move(flow));
@@ -114,7 +103,7 @@ long scaled_steps(long steps, const CaseSetup& setup) {
   return std::max(10L, std::lround(static_cast<double>(steps) * setup.steps_scale));
 }
 
-std::vector<CaseRun> one_run(const CaseSetup& setup, std::unique_ptr<CaseMotion> (*start)(const CaseSetup&),
+std::vector<CaseRun> one_run(const CaseSetup& setup, std::unique_ptr<MeasuredMotion> (*start)(const CaseSetup&),
                              long steps) {
   return {{"", [setup, start] { return start(setup); }, scaled_steps(steps, setup)}};
 }

@@ -14,18 +14,18 @@ struct SimulatedOptions {
 };
 
 /// Vortex-sheet dynamics from this surface, with the setup's strategy and remeshing.
-std::unique_ptr<CaseMotion> simulated(const CaseSetup& setup, lostopos::SurfaceMesh mesh,
-                                      const SimulatedOptions& options = {});
+std::unique_ptr<MeasuredMotion> simulated(const CaseSetup& setup, lostopos::SurfaceMesh mesh,
+                                          const SimulatedOptions& options = {});
 
 /// A motion of the tracker alone: after each dt (T) a vertex is asked to be at `flow(x)`.
-std::unique_ptr<CaseMotion> prescribed(const CaseSetup& setup, lostopos::SurfaceMesh mesh, double dt,
-                                       std::function<lostopos::Vec3(const lostopos::Vec3&)> flow);
+std::unique_ptr<MeasuredMotion> prescribed(const CaseSetup& setup, lostopos::SurfaceMesh mesh, double dt,
+                                           std::function<lostopos::Vec3(const lostopos::Vec3&)> flow);
 
 /// `steps` times the setup's scale, at least 10.
 long scaled_steps(long steps, const CaseSetup& setup);
 
 /// The runs of a case that has one: `start` under the setup, for scaled_steps(steps).
-std::vector<CaseRun> one_run(const CaseSetup& setup, std::unique_ptr<CaseMotion> (*start)(const CaseSetup&),
+std::vector<CaseRun> one_run(const CaseSetup& setup, std::unique_ptr<MeasuredMotion> (*start)(const CaseSetup&),
                              long steps);
 
 }  // namespace foamsim

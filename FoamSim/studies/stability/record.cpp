@@ -1,19 +1,14 @@
 #include "FoamSim/studies/stability/record.h"
 
-#include <chrono>
 #include <cmath>
 #include <exception>
 
+#include "Base/timing/stopwatch.h"
 #include "LosTopos/mesh/audit.h"
+#include "LosTopos/run/run.h"
 
 namespace foamsim {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 class Recorder {
  public:
@@ -21,25 +16,32 @@ class Recorder {
     trajectory_.steps_asked = options.steps;
   }
 
-  Trajectory record(CaseMotion& motion) {
-    add(motion.start());
+  Trajectory record(MeasuredMotion& motion) {
+    add(motion.metrics());
     audit(motion);
-    while (trajectory_.steps() < options_.steps && may_go_on()) {
-      add(motion.step());
-      if (is_audited(trajectory_.steps())) audit(motion);
-      if (hooks_.progress) hooks_.progress(trajectory_.steps());
-    }
+    const auto outcome = lostopos::run::run_in_memory(
+        motion, {.last_step = options_.steps, .stop = [this] { return has_to_stop(); }},
+        {.stepped = [&](double) { take_step(motion); }, .interrupted = hooks_.interrupted});
+    trajectory_.error = outcome.end == lostopos::run::End::failed ? outcome.message : "";
+    trajectory_.interrupted = outcome.end == lostopos::run::End::interrupted;
     return finish(motion);
   }
 
   Trajectory& trajectory() { return trajectory_; }
 
  private:
-  bool may_go_on() {
-    trajectory_.out_of_time = seconds_since(begun_) > options_.most_seconds;
-    trajectory_.interrupted = hooks_.interrupted && hooks_.interrupted();
+  void take_step(const MeasuredMotion& motion) {
+    add(motion.metrics());
+    if (is_audited(trajectory_.steps())) audit(motion);
+    if (hooks_.progress) hooks_.progress(trajectory_.steps());
+  }
+
+  // What has come to its last step need not be stopped.
+  bool has_to_stop() {
+    if (trajectory_.steps() >= options_.steps) return false;
+    trajectory_.out_of_time = watch_.seconds() > options_.most_seconds;
     trajectory_.blown_up = has_blown_up();
-    return !trajectory_.out_of_time && !trajectory_.interrupted && !trajectory_.blown_up;
+    return trajectory_.out_of_time || trajectory_.blown_up;
   }
 
   // The steps of such a motion take ever longer, and tell nothing any more.
@@ -52,7 +54,7 @@ class Recorder {
     return step * options_.audits / options_.steps != (step - 1) * options_.audits / options_.steps;
   }
 
-  void audit(const CaseMotion& motion) {
+  void audit(const MeasuredMotion& motion) {
     if (!trajectory_.defect.empty()) return;
     const auto report = lostopos::audit(motion.mesh(), {.closed_regions = options_.closed_surface, .max_findings = 1});
     if (!report.clean())
@@ -63,23 +65,23 @@ class Recorder {
   void add(Metrics metrics) {
     metrics.times = {};
     trajectory_.samples.push_back(std::move(metrics));
-    trajectory_.seconds = seconds_since(begun_);
+    trajectory_.seconds = watch_.seconds();
   }
 
-  Trajectory finish(const CaseMotion& motion) {
+  Trajectory finish(const MeasuredMotion& motion) {
     for (lostopos::Vertex v : motion.mesh().vertices()) trajectory_.end_positions.push_back(motion.mesh().position(v));
     return std::move(trajectory_);
   }
 
   const RecordOptions& options_;
   const RecordHooks& hooks_;
-  Clock::time_point begun_ = Clock::now();
+  base::Stopwatch watch_;
   Trajectory trajectory_;
 };
 
 }  // namespace
 
-Trajectory record(const std::function<std::unique_ptr<CaseMotion>()>& start, const RecordOptions& options,
+Trajectory record(const std::function<std::unique_ptr<MeasuredMotion>()>& start, const RecordOptions& options,
                   const RecordHooks& hooks) {
   Recorder recorder(options, hooks);
   try {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "FoamSim/studies/stability/trajectory.h"
 
@@ -21,7 +22,7 @@ struct RecordHooks {
 
 /// Makes the motion and lets it run for so many steps. Whatever goes wrong on the way, a surface that cannot be built
 /// included, ends the trajectory with its error and is not thrown on.
-Trajectory record(const std::function<std::unique_ptr<CaseMotion>()>& start, const RecordOptions& options,
+Trajectory record(const std::function<std::unique_ptr<MeasuredMotion>()>& start, const RecordOptions& options,
                   const RecordHooks& hooks = {});
 
 }  // namespace foamsim

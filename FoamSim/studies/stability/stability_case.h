@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 
@@ -18,7 +19,7 @@ struct CaseSetup {
 /// One motion of a case; a case that compares has several.
 struct CaseRun {
   std::string label;
-  std::function<std::unique_ptr<CaseMotion>()> start;
+  std::function<std::unique_ptr<MeasuredMotion>()> start;
   long steps;
 };
 

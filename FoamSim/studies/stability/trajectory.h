@@ -1,26 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "FoamSim/metrics/metrics.h"
+#include "FoamSim/run/measured_motion.h"
 
 namespace foamsim {
-
-/// Something that moves a surface step by step: a simulation, or a prescribed motion.
-class CaseMotion {
- public:
-  CaseMotion() = default;
-  CaseMotion(const CaseMotion&) = delete;
-  CaseMotion& operator=(const CaseMotion&) = delete;
-  virtual ~CaseMotion() = default;
-  /// The surface as it stands, with nothing of a step.
-  virtual Metrics start() const = 0;
-  /// One step, measured. Throws base::Error when the surface cannot go on.
-  virtual Metrics step() = 0;
-  virtual const lostopos::SurfaceMesh& mesh() const = 0;
-};
 
 /// What a motion did, as far as it came: what criteria judge.
 struct Trajectory {

@@ -1,9 +1,11 @@
 // What is a solid: where a file of the reference program says so, and nowhere else.
 #include <gtest/gtest.h>
 
+#include "FoamSim/constraints/fixed_frame.h"
 #include "FoamSim/scenes/scene.h"
 #include "LosTopos/io/rec.h"
 #include "tests/support/film_meshes.h"
+#include "tests/support/film_parts.h"
 #include "tests/support/scratch_folder.h"
 
 namespace foamsim {
@@ -22,7 +24,9 @@ std::size_t solids(const Simulation& simulation) {
 // Two triangles at a corner of a cube frame have all three corners on the wire.
 TEST(Solids, AFrameHasNone) {
   auto cube = lostopos::test::cube_frame(2);
-  const Simulation simulation(std::move(cube.mesh), {}, {}, cube.frame);
+  SimulationParts parts = test::parts();
+  parts.constraints.push_back(std::make_unique<FixedFrame>(cube.frame));
+  const Simulation simulation(std::move(cube.mesh), {}, std::move(parts));
   for (Vertex v : cube.frame) EXPECT_EQ(simulation.held()[v.index()], Hold::all);
   EXPECT_EQ(solids(simulation), 0U);
 }

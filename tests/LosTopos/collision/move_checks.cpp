@@ -51,7 +51,7 @@ bool move_and_check(SurfaceMesh& mesh, const std::vector<Vec3>& predicted, const
   sum += result.statistics;
   bool good = true;
   for (Vertex v : mesh.vertices()) {
-    if (held.empty() || !held[v.index()]) continue;
+    if (held.empty() || held[v.index()] == Hold::none) continue;
     const std::size_t i = v.index();
     const Vec3 asked =
         result.fraction == 1 ? predicted[i] : Vec3((1 - result.fraction) * before[i] + result.fraction * predicted[i]);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double sliver_height = 0.02;  // over h̄
 
-std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
   lostopos::SurfaceMesh mesh = double_bubble(16);
   const double resolution = lostopos::mean_edge_length(mesh);
   press_slivers(mesh, sliver_height * resolution);

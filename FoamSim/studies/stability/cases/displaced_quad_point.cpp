@@ -8,7 +8,7 @@ namespace {
 constexpr long edges_along_border = 6;
 constexpr double displacement = 0.7;  // of an edge
 
-std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
   TetrahedralCluster cluster = tetrahedral_cluster(edges_along_border);
   cluster.mesh.set_position(cluster.middle,
                             displacement / static_cast<double>(edges_along_border) * cluster.corners[0]);

@@ -10,7 +10,7 @@ namespace {
 constexpr double wanted_stretch = 20;
 constexpr long most_parts = 64;
 
-std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
   const lostopos::SurfaceMesh plain = double_bubble(16);
   const double resolution = lostopos::mean_edge_length(plain);
   long parts = 1;

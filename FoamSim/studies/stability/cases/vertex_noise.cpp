@@ -7,7 +7,7 @@
 namespace foamsim::stability {
 namespace {
 
-std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
   lostopos::SurfaceMesh mesh = double_bubble(16);
   const double resolution = lostopos::mean_edge_length(mesh);
   add_noise(mesh, 1e-3 * resolution, 7);

@@ -9,7 +9,7 @@ namespace {
 constexpr double large_volume = 4, ratio = 1000, dt = 0.002;
 constexpr long edges_around_border = 9;
 
-std::unique_ptr<CaseMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
   const auto exact = double_bubble_equilibrium(large_volume / ratio, large_volume);
   return simulated(setup, exact_double_bubble(exact, edges_around_border), {.dt = dt});
 }

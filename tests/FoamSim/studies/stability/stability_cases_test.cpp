@@ -66,7 +66,9 @@ TEST_P(StabilityCases, BuildSoundSurfacesAndMakeASoundStep) {
     const auto motion = run.start();
     const auto report = lostopos::audit(motion->mesh());
     ASSERT_TRUE(report.clean()) << run.label << ": " << report.text();
-    const Metrics start = motion->start(), next = motion->step();
+    const Metrics start = motion->metrics();
+    motion->step();
+    const Metrics next = motion->metrics();
     EXPECT_EQ(start.step, 0);
     EXPECT_EQ(next.step, 1);
     EXPECT_GT(start.area, 0);
@@ -149,22 +151,26 @@ TEST(TimeSteps, FindTheLargestThatIsStable) {
 }
 
 // A motion that fails on its third step, with energies 1 and 1.5 before.
-class FailingMotion final : public CaseMotion {
+class FailingMotion final : public MeasuredMotion {
  public:
   FailingMotion() { (void)mesh_.add_triangle(vertex(0), vertex(1), vertex(2), {lostopos::Region(1), lostopos::air}); }
-  Metrics start() const override { return {}; }
-  Metrics step() override {
-    if (++steps_ == 3) throw lostopos::MotionError("stuck");
-    Metrics m;
-    m.energy = 0.5 * static_cast<double>(steps_ + 1);
-    return m;
+  void step() override {
+    if (steps_ == 2) throw lostopos::MotionError("stuck");
+    ++steps_;
+    metrics_.energy = 0.5 * static_cast<double>(steps_ + 1);
   }
+  long steps() const override { return steps_; }
+  double time() const override { return 0; }
   const lostopos::SurfaceMesh& mesh() const override { return mesh_; }
+  const lostopos::run::StepWork& last() const override { return work_; }
+  const Metrics& metrics() const override { return metrics_; }
 
  private:
   lostopos::Vertex vertex(double x) { return mesh_.add_vertex({x, x * x, 0}); }
   lostopos::SurfaceMesh mesh_;
   long steps_ = 0;
+  lostopos::run::StepWork work_;
+  Metrics metrics_;
 };
 
 TEST(Record, KeepsWhatWasDoneBeforeAFailure) {
@@ -178,7 +184,8 @@ TEST(Record, KeepsWhatWasDoneBeforeAFailure) {
 TEST(Record, NotesDefectsAndSurfacesThatCannotBeBuilt) {
   const Trajectory open = record([] { return std::make_unique<FailingMotion>(); }, {.steps = 2});
   EXPECT_NE(open.defect, "") << "one triangle bounds no bubble";
-  const Trajectory none = record([]() -> std::unique_ptr<CaseMotion> { throw base::InputError("no such shape"); }, {});
+  const Trajectory none =
+      record([]() -> std::unique_ptr<MeasuredMotion> { throw base::InputError("no such shape"); }, {});
   EXPECT_EQ(none.error, "step 1: no such shape");
   EXPECT_TRUE(none.samples.empty());
   for (const StabilityCase& c : stability_cases())

@@ -1,4 +1,4 @@
-#include "FoamSim/run/run_directory.h"
+#include "LosTopos/run/run_folder.h"
 
 #include <array>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
 
-namespace foamsim {
+namespace lostopos::run {
 
 namespace fs = std::filesystem;
 
@@ -53,7 +53,7 @@ void require_writable(const fs::path& path) {
 
 }  // namespace
 
-RunDirectory RunDirectory::create(const fs::path& path, bool force) {
+RunFolder RunFolder::create(const fs::path& path, bool force) {
   if (fs::exists(path) && !fs::is_directory(path))
     throw base::InputError(path.string() + " is a file; the output has to go to a folder");
   if (holds_a_run(path)) {
@@ -64,22 +64,22 @@ RunDirectory RunDirectory::create(const fs::path& path, bool force) {
   const fs::path made = topmost_missing(path);
   std::error_code error;
   fs::create_directories(path / "frames", error);
-  RunDirectory directory(path, made);
+  RunFolder folder(path, made);
   if (error) {
-    directory.discard();
+    folder.discard();
     throw base::FileError("cannot make the output folder " + path.string() + ": " + error.message() +
                           "; give a folder that can be written to with --out");
   }
   try {
     require_writable(path);
   } catch (...) {
-    directory.discard();
+    folder.discard();
     throw;
   }
-  return directory;
+  return folder;
 }
 
-RunDirectory RunDirectory::open(const fs::path& path) {
+RunFolder RunFolder::open(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path / "frames", error);
   if (error) throw base::FileError("cannot write to " + path.string() + ": " + error.message());
@@ -87,14 +87,14 @@ RunDirectory RunDirectory::open(const fs::path& path) {
   return {path, {}};
 }
 
-fs::path RunDirectory::frame(long step) const {
+fs::path RunFolder::frame(long step) const {
   return numbered(path_ / "frames", step, "ply");
 }
-fs::path RunDirectory::vtp(long step) const {
+fs::path RunFolder::vtp(long step) const {
   return numbered(path_ / "vtp", step, "vtp");
 }
 
-void RunDirectory::discard() const {
+void RunFolder::discard() const {
   std::error_code ignored;
   if (!made_.empty())
     fs::remove_all(made_, ignored);
@@ -102,4 +102,4 @@ void RunDirectory::discard() const {
     remove_run(path_);
 }
 
-}  // namespace foamsim
+}  // namespace lostopos::run

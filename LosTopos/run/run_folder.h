@@ -2,22 +2,19 @@
 
 #include <filesystem>
 
-namespace foamsim {
+namespace lostopos::run {
 
 /// Where a run writes: DIR with run.json, metrics.csv, volumes.csv, events.csv, frames/, checkpoint.cbor.
-class RunDirectory {
+class RunFolder {
  public:
   /// Makes the folder and tries that it can be written to. Throws base::InputError when it holds a run already and
   /// `force` is false (with force that run's files are removed first), or base::FileError when it cannot be made.
-  static RunDirectory create(const std::filesystem::path& path, bool force);
+  static RunFolder create(const std::filesystem::path& path, bool force);
   /// The folder of an earlier run, to go on in.
-  static RunDirectory open(const std::filesystem::path& path);
+  static RunFolder open(const std::filesystem::path& path);
 
   std::filesystem::path path() const { return path_; }
   std::filesystem::path run_json() const { return path_ / "run.json"; }
-  std::filesystem::path metrics_csv() const { return path_ / "metrics.csv"; }
-  std::filesystem::path volumes_csv() const { return path_ / "volumes.csv"; }
-  std::filesystem::path events_csv() const { return path_ / "events.csv"; }
   std::filesystem::path checkpoint() const { return path_ / "checkpoint.cbor"; }
   std::filesystem::path pvd() const { return path_ / "surface.pvd"; }
   std::filesystem::path frame(long step) const;
@@ -27,10 +24,9 @@ class RunDirectory {
   void discard() const;
 
  private:
-  RunDirectory(std::filesystem::path path, std::filesystem::path made)
-      : path_(std::move(path)), made_(std::move(made)) {}
+  RunFolder(std::filesystem::path path, std::filesystem::path made) : path_(std::move(path)), made_(std::move(made)) {}
   std::filesystem::path path_;
   std::filesystem::path made_;  // topmost folder that did not exist before; empty when all did
 };
 
-}  // namespace foamsim
+}  // namespace lostopos::run

@@ -1,0 +1,58 @@
+#include "FoamSim/run/scene_motion.h"
+
+#include "FoamSim/metrics/metrics_csv.h"
+#include "LosTopos/run/events_csv.h"
+
+namespace foamsim {
+
+using lostopos::run::Table;
+
+SceneMotion::Beginning SceneMotion::beginning_of(const Scene& scene) {
+  Simulation simulation = make_simulation(scene);
+  StartOfRun start{lostopos::closed_region_volumes(simulation.mesh()), lostopos::surface_centroid(simulation.mesh())};
+  return {scene, std::move(simulation), std::move(start)};
+}
+
+SceneMotion::Beginning SceneMotion::beginning_of(Checkpoint checkpoint) {
+  Simulation simulation = resume(checkpoint);
+  std::optional<StepReport> before;
+  if (checkpoint.state.steps > 0) before = checkpoint.last;
+  return {std::move(checkpoint.scene), std::move(simulation), std::move(checkpoint.start), std::move(before),
+          std::move(checkpoint.quiet)};
+}
+
+SceneMotion::SceneMotion(Beginning beginning)
+    : SimulationMotion(std::move(beginning.simulation), beginning.start.volumes, beginning.before),
+      scene_(std::move(beginning.scene)),
+      start_(std::move(beginning.start)),
+      rest_(characteristic_time(start_.volumes, scene_.options.number("sigma")), std::move(beginning.quiet)) {}
+
+void SceneMotion::step() {
+  SimulationMotion::step();
+  at_rest_ = rest_.add(metrics());
+}
+
+std::vector<Table> SceneMotion::tables() const {
+  const long every = scene_.options.whole("metrics_every");
+  std::vector<Table> all{{"metrics.csv", metrics_header(), every, [this] { return metrics_row(metrics()); }},
+                         {"volumes.csv", volumes_header(), every, [this] { return volumes_rows(metrics()); }}};
+  if (simulation().options().tracker.topology.enabled) all.push_back(lostopos::run::events_table(*this));
+  return all;
+}
+
+lostopos::SurfaceData SceneMotion::picture() const {
+  lostopos::SurfaceData data = lostopos::from_mesh_with_attributes(mesh());
+  lostopos::DataArray mean{"circulation", 1, {}};
+  for (lostopos::Triangle t : mesh().triangles()) {
+    const auto corners = corner_circulation(mesh(), simulation().circulation(), t);
+    mean.values.push_back((corners[0] + corners[1] + corners[2]) / 3);
+  }
+  data.triangle_arrays.push_back(std::move(mean));
+  return data;
+}
+
+std::optional<nlohmann::json> SceneMotion::checkpoint() const {
+  return checkpoint_content(scene_, simulation(), start_, metrics(), rest_.quiet());
+}
+
+}  // namespace foamsim

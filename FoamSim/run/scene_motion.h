@@ -1,0 +1,42 @@
+#pragma once
+
+#include "FoamSim/run/checkpoint.h"
+#include "FoamSim/run/simulation_motion.h"
+
+namespace foamsim {
+
+/// The simulation of a scene: what a run of it writes and keeps.
+class SceneMotion final : public SimulationMotion {
+ public:
+  /// From where, and what came before.
+  struct Beginning {
+    Scene scene;
+    Simulation simulation;
+    StartOfRun start;
+    std::optional<StepReport> before = {};
+    std::deque<RestDetector::Sample> quiet = {};
+  };
+  static Beginning beginning_of(const Scene& scene);
+  static Beginning beginning_of(Checkpoint checkpoint);
+
+  explicit SceneMotion(Beginning beginning);
+
+  void step() override;
+  std::vector<lostopos::run::Table> tables() const override;
+  /// With the circulation at the triangles' corners, averaged.
+  lostopos::SurfaceData picture() const override;
+  std::optional<nlohmann::json> checkpoint() const override;
+
+  const Scene& scene() const { return scene_; }
+  const StartOfRun& start() const { return start_; }
+  /// After the last step; see RestDetector.
+  bool at_rest() const { return at_rest_; }
+
+ private:
+  Scene scene_;
+  StartOfRun start_;
+  RestDetector rest_;
+  bool at_rest_ = false;
+};
+
+}  // namespace foamsim

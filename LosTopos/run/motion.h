@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "LosTopos/io/surface_data.h"
+#include "LosTopos/run/step_work.h"
+
+namespace lostopos::run {
+
+/// A table that grows with a run: one or several rows every so many steps, from the start on.
+struct Table {
+  std::string file;    ///< its name in the run's folder
+  std::string header;  ///< names of columns, the first of which is the step
+  long every = 1;      ///< steps between rows, ≥ 1
+  /// The lines of the motion as it is now, each with its newline; empty when there is nothing to say.
+  std::function<std::string()> rows;
+};
+
+/// Something that moves a surface step by step, and measures it: what a run runs.
+class Motion {
+ public:
+  Motion() = default;
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+  virtual ~Motion() = default;
+
+  /// One step, measured. Throws base::Error when the surface cannot go on (the run then ends as failed), or
+  /// base::InputError for what no run can go on with (thrown on).
+  virtual void step() = 0;
+  /// Steps since the start of the motion, those before a checkpoint included.
+  virtual long steps() const = 0;
+  virtual double time() const = 0;  ///< T
+  virtual const SurfaceMesh& mesh() const = 0;
+  /// What the last step did.
+  virtual const StepWork& last() const = 0;
+
+  /// The tables that a run of this motion writes.
+  virtual std::vector<Table> tables() const { return {}; }
+  /// The surface with its arrays, for vtp files.
+  virtual SurfaceData picture() const { return from_mesh(mesh()); }
+  /// What a motion needs to go on as if it had not stopped, to the bit; nothing when it cannot be taken up again.
+  virtual std::optional<nlohmann::json> checkpoint() const { return {}; }
+  /// What run.json says besides what it says of every run.
+  virtual nlohmann::ordered_json summary() const { return nlohmann::ordered_json::object(); }
+};
+
+}  // namespace lostopos::run

@@ -1,0 +1,102 @@
+#include "LosTopos/run/run_writer.h"
+
+#include "LosTopos/io/ply.h"
+#include "LosTopos/io/vtp.h"
+#include "LosTopos/run/run_json.h"
+
+namespace lostopos::run {
+namespace {
+
+bool due(long step, long every) {
+  return every > 0 && step % every == 0;
+}
+
+// What a run wrote behind the checkpoint that it is taken up from is written anew.
+std::vector<PvdFrame> frames_until(const std::filesystem::path& pvd, double time) {
+  std::vector<PvdFrame> frames;
+  if (!std::filesystem::exists(pvd)) return frames;
+  for (const PvdFrame& frame : read_pvd(pvd))
+    if (frame.time <= time) frames.push_back(frame);
+  return frames;
+}
+
+}  // namespace
+
+RunWriter::RunWriter(const Motion& motion, const Output& output)
+    : motion_(motion),
+      output_(output),
+      folder_(output.go_on ? RunFolder::open(output.folder) : RunFolder::create(output.folder, output.force)),
+      pvd_(folder_.pvd()),
+      saves_checkpoints_(motion.checkpoint().has_value()) {
+  try {
+    begin();
+  } catch (...) {
+    if (!output.go_on) folder_.discard();
+    throw;
+  }
+}
+
+void RunWriter::begin() {
+  const long step = motion_.steps();
+  for (Table& table : motion_.tables()) {
+    const std::filesystem::path file = folder_.path() / table.file;
+    if (output_.go_on) base::keep_rows_until(file, step);
+    base::CsvTable open(file, table.header, output_.go_on);
+    tables_.push_back({std::move(table), std::move(open)});
+  }
+  if (output_.vtp) std::filesystem::create_directories(folder_.path() / "vtp");
+  if (output_.go_on) {
+    pvd_ = PvdWriter(folder_.pvd(), frames_until(folder_.pvd(), motion_.time()));
+    if (std::filesystem::exists(folder_.frame(step))) last_frame_ = folder_.frame(step);
+  } else if (step == 0) {
+    write_rows();
+    write_frame();
+  }
+  Outcome so_far;
+  so_far.first_step = step;
+  so_far.last_frame = last_frame_;
+  write_json("running", so_far);
+}
+
+void RunWriter::write_step() {
+  write_rows();
+  if (due(motion_.steps(), output_.frame_every)) write_frame();
+  if (due(motion_.steps(), output_.checkpoint_every)) write_checkpoint();
+}
+
+void RunWriter::write_end() {
+  write_frame();
+  write_checkpoint();
+}
+
+void RunWriter::write_rows() {
+  for (OpenTable& open : tables_) {
+    if (!due(motion_.steps(), open.table.every)) continue;
+    const std::string rows = open.table.rows();
+    if (!rows.empty()) open.file.add(rows);
+  }
+}
+
+void RunWriter::write_frame() {
+  const auto file = folder_.frame(motion_.steps());
+  if (file == last_frame_) return;
+  write_ply(file, from_mesh(motion_.mesh()));
+  last_frame_ = file;
+  if (!output_.vtp) return;
+  const auto vtp = folder_.vtp(motion_.steps());
+  write_vtp(vtp, motion_.picture());
+  pvd_.add(motion_.time(), vtp.lexically_relative(folder_.path()).string());
+}
+
+void RunWriter::write_checkpoint() {
+  if (!saves_checkpoints_ || motion_.steps() == last_checkpoint_) return;
+  const auto content = motion_.checkpoint();
+  run::write_checkpoint(folder_.checkpoint(), output_.checkpoint, *content);
+  last_checkpoint_ = motion_.steps();
+}
+
+void RunWriter::write_json(const std::string& ended, const Outcome& outcome) const {
+  write_run_json(folder_.run_json(), output_.description, motion_, ended, outcome);
+}
+
+}  // namespace lostopos::run

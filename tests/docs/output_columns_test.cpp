@@ -1,0 +1,31 @@
+// docs/output.md names every column of metrics.csv, in the order in which it is written.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "FoamSim/metrics/metrics_csv.h"
+#include "MultiTracker/run/metrics_csv.h"
+
+namespace {
+
+// First cells of the table below a heading, joined by commas.
+std::string columns_below(const std::string& heading) {
+  std::ifstream file(FOAMSIM_DOCS "/output.md");
+  std::string line, columns;
+  while (std::getline(file, line) && line != heading) {
+  }
+  while (std::getline(file, line) && !line.starts_with("## "))
+    if (line.starts_with("| `")) columns += (columns.empty() ? "" : ",") + line.substr(3, line.find('`', 3) - 3);
+  return columns;
+}
+
+TEST(OutputDocument, NamesTheColumnsOfFoamsim) {
+  EXPECT_EQ(columns_below("## metrics.csv"), foamsim::metrics_header());
+}
+
+TEST(OutputDocument, NamesTheColumnsOfMultitracker) {
+  EXPECT_EQ(columns_below("## multitracker's metrics.csv"), multitracker::metrics_header());
+}
+
+}  // namespace

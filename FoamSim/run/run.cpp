@@ -59,22 +59,10 @@ lostopos::run::Output output_of(const Scene& scene, const RunSettings& settings,
                           {"seed", scene.options.whole("seed")}}};
 }
 
-// How to go on to where the run was to end.
-std::string stop_arguments(const StopAt& stop) {
-  std::string text;
-  if (stop.time) text += " --time " + base::to_text(*stop.time);
-  if (stop.steps) text += " --steps " + std::to_string(*stop.steps);
-  if (stop.until_rest) text += " --until-rest";
-  return text;
-}
-
-RunOutcome outcome_of(const SceneMotion& motion, lostopos::run::Outcome&& done, const RunSettings& settings,
-                      const std::filesystem::path& folder) {
+RunOutcome outcome_of(const SceneMotion& motion, lostopos::run::Outcome&& done, const std::filesystem::path& folder) {
   RunOutcome outcome;
   outcome.end = done.end;
   outcome.message = std::move(done.message);
-  if (done.end == RunEnd::interrupted)
-    outcome.message = "to go on: foamsim run --resume " + done.checkpoint.string() + stop_arguments(settings.stop);
   outcome.first_step = done.first_step;
   outcome.last = motion.metrics();
   outcome.start_centroid = motion.start().centroid;
@@ -106,8 +94,7 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
   const Metrics start = motion.metrics();
   lostopos::run::Hooks own{.stepped = {}, .interrupted = hooks.interrupted};
   if (hooks.progress) own.stepped = [&](double fraction) { hooks.progress(motion.metrics(), fraction); };
-  RunOutcome outcome =
-      outcome_of(motion, lostopos::run::run_motion(motion, plan, output, own), settings, output.folder);
+  RunOutcome outcome = outcome_of(motion, lostopos::run::run_motion(motion, plan, output, own), output.folder);
   outcome.start = start;
   return outcome;
 }

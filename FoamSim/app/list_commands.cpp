@@ -25,7 +25,7 @@ void print_scenes(const Catalogue& catalogue) {
   }
   std::printf("\noptions of every scene (--set key=value, or in a .toml file):\n");
   for (const base::OptionSpec& spec : common_option_specs(catalogue))
-    if (spec.owner.kind.empty()) print_option(spec);
+    if (spec.owner.kind.empty() || !spec.words.empty()) print_option(spec);
   std::printf("options of the effects and of what else is chosen by name: see 'foamsim effects'\n");
 }
 

@@ -20,6 +20,7 @@ double characteristic_time(const std::vector<lostopos::RegionVolume>& volumes, d
 }
 
 bool RestDetector::add(const Metrics& metrics) {
+  if (!(window_ > 0)) return false;  // nothing by which to tell rest
   if (!(metrics.kinetic_energy < energy_ratio * metrics.potential_energy)) {
     quiet_.clear();
     return false;

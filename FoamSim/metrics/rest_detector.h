@@ -22,7 +22,7 @@ class RestDetector {
 
   /// `quiet`: what an earlier detector had seen, to go on with.
   explicit RestDetector(double window, std::deque<Sample> quiet = {}) : window_(window), quiet_(std::move(quiet)) {}
-  /// Takes the metrics of the next step; true when the surface is at rest.
+  /// Takes the metrics of the next step; true when the surface is at rest, which it never is for a window of 0.
   bool add(const Metrics& metrics);
   /// Unbroken quiet samples, no older than the window.
   const std::deque<Sample>& quiet() const { return quiet_; }

@@ -175,5 +175,16 @@ TEST(CharacteristicTime, IsThatOfTheMeanBubble) {
   EXPECT_EQ(characteristic_time({{air, -1}, {Region(1), 1}}, 0), 0);
 }
 
+TEST(RestDetectorTest, NeverFindsRestWithoutAWindow) {
+  // Films in a frame have no bubble, and so no characteristic time.
+  RestDetector detector(characteristic_time({}, 1));
+  Metrics still;
+  still.potential_energy = 1;
+  for (int i = 0; i < 5; ++i) {
+    still.time = i;
+    EXPECT_FALSE(detector.add(still));
+  }
+}
+
 }  // namespace
 }  // namespace foamsim

@@ -17,7 +17,7 @@
 
 namespace lostopos {
 
-/// How a SurfaceTracker moves and remeshes; the defaults are METHOD's.
+/// How a SurfaceTracker moves and remeshes; the defaults are those of docs/method.md.
 struct TrackerOptions {
   double resolution = 0;            ///< target mean edge length h̄, L, > 0
   bool collisions = true;           ///< keep the surface from intersecting itself; false: move it where it is sent

@@ -54,7 +54,7 @@ struct StepReport {
   lostopos::TopologyStatistics topology;  ///< films that joined, parted or vanished, and the events in order
 };
 
-/// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: METHOD "One time step".
+/// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: docs/method.md "The step".
 class Simulation {
  public:
   /// Starts at rest (Γ = 0), at time 0. Values that wait in the mesh ("hold", "solid", "circulation") are taken. Throws

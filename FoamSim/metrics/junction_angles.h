@@ -6,8 +6,8 @@
 
 namespace foamsim {
 
-/// Dihedral angles at Plateau borders (METHOD "The report's cases"): at every junction edge with three triangles, the
-/// three angles between neighbouring half-planes.
+/// Dihedral angles at Plateau borders (docs/method.md "The report's cases"): at every junction edge with three
+/// triangles, the three angles between neighbouring half-planes.
 struct JunctionAngles {
   std::optional<double> rms_deviation_deg;  ///< RMS of (angle − 120°) over all of them; empty without such edges
   std::optional<double> outer_mean_deg;  ///< mean of the angles between the two films that touch the air; empty without

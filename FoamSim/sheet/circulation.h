@@ -6,9 +6,9 @@
 
 namespace foamsim {
 
-/// The circulation Γ_v^{pq} of METHOD "State" (Da et al. 2015): the potential jump between regions p and q at vertex v,
-/// held only for the pairs that have a triangle at v. One value on a film, three on a Plateau border, six at a Plateau
-/// vertex: memory grows with the vertices, not with the number of regions.
+/// The circulation Γ_v^{pq} of docs/method.md "State" (Da et al. 2015): the potential jump between regions p and q at
+/// vertex v, held only for the pairs that have a triangle at v. One value on a film, three on a Plateau border, six at
+/// a Plateau vertex: memory grows with the vertices, not with the number of regions.
 class CirculationField {
  public:
   /// Of `mesh`, which must outlive the field's use: its attribute "circulation", carried through operations by

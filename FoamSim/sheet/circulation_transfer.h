@@ -6,7 +6,7 @@
 
 namespace foamsim {
 
-/// Carries Γ through the tracker's operations (METHOD "Carrying data through an operation"). Split: the mean of the two
+/// Carries Γ through the tracker's operations (docs/method.md "Carrying data"). Split: the mean of the two
 /// ends. Collapse: interpolated by where the result lies between the two vertices; a pair that only one of them had
 /// comes from that one. Merge: the same between two places, each the mean of its vertices. Separation: both copies keep
 /// the vertex's values, and a neighbour that gains a pair takes the vertex's value. A pair that a vertex gains from

@@ -6,7 +6,7 @@
 
 namespace foamsim {
 
-/// Kinetic energy of the air over its density, K = −Σ_t Γ̄_t (u·n) area_t (METHOD "One time step"; u the mean of the
+/// Kinetic energy of the air over its density, K = −Σ_t Γ̄_t (u·n) area_t (docs/method.md "The step"; u the mean of the
 /// corners' velocities), L⁵/T².
 ///
 /// `circulation`: Γ̄_t (L²/T) for each triangle of `sheet`, from circulation_without_region_constants. Given that of

@@ -23,7 +23,7 @@ struct SheetTriangle {
 void gather_sheet(const lostopos::SurfaceMesh& mesh, const CirculationField& circulation,
                   std::vector<SheetTriangle>& sheet, std::span<const std::uint8_t> solid = {});
 
-/// Sheet strength times area of a triangle with corners x (METHOD "One time step", 3; Da et al. 2015):
+/// Sheet strength times area of a triangle with corners x (docs/method.md "The step", 2; Da et al. 2015):
 /// γ = −[(x_b − x_a) Γ_c + (x_c − x_b) Γ_a + (x_a − x_c) Γ_b], L³/T.
 lostopos::Vec3 sheet_strength(const std::array<lostopos::Vec3, 3>& x, const std::array<double, 3>& circulation);
 

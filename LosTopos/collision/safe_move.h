@@ -13,7 +13,8 @@
 namespace lostopos {
 
 struct MoveOptions {
-  /// ε_c: elements nearer than this at the start of the step are pushed apart, L (METHOD: 1e-4 h̄). At 0 nothing is.
+  /// ε_c: elements nearer than this at the start of the step are pushed apart, L (docs/method.md: 1e-4 h̄). At 0 nothing
+  /// is.
   double proximity_epsilon = 0;
   /// Rounds of impulses between single pairs, of inelastic impact zones, and of rigid impact zones; each ends earlier
   /// when nothing collides any more.

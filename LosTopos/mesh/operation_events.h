@@ -17,8 +17,8 @@ struct TriangleSource {
   Triangle child, parent;
 };
 
-/// Edge (ends[0], ends[1]) gets a vertex between its ends. Per-vertex data: the mean of the two ends (METHOD "Carrying
-/// data through an operation"), wherever the new vertex lies.
+/// Edge (ends[0], ends[1]) gets a vertex between its ends. Per-vertex data: the mean of the two ends (docs/method.md
+/// "Carrying data"), wherever the new vertex lies.
 struct SplitEvent {
   Edge edge;                                  ///< gone in the after-event
   std::array<Vertex, 2> ends;                 ///< they stay

@@ -11,7 +11,7 @@
 namespace lostopos {
 
 /// Keeps a labelled non-manifold mesh at the asked resolution and its triangles well shaped, without ever making it
-/// intersect itself (METHOD "Remeshing and topology"; Da, Batty, Grinspun 2014). Every operation is planned beside the
+/// intersect itself (docs/method.md "Remeshing"; Da, Batty, Grinspun 2014). Every operation is planned beside the
 /// mesh, checked, and then done or refused for a reason that is counted.
 class Remesher {
  public:

@@ -8,10 +8,10 @@
 
 namespace lostopos {
 
-/// Makes two places of the surface one vertex and cancels the triangles that coincide then: snapping (METHOD "Remeshing
-/// and topology"). What lies on an edge or in a triangle is split there; a pair of vertices that an edge joins loses
-/// its triangles. The result lies on the straight line between the two, at the one that is bound more (held, then
-/// corner, border, film) or in the middle. All of it is one operation: when any part is refused, nothing is done.
+/// Makes two places of the surface one vertex and cancels the triangles that coincide then: snapping (docs/method.md
+/// "Topology"). What lies on an edge or in a triangle is split there; a pair of vertices that an edge joins loses its
+/// triangles. The result lies on the straight line between the two, at the one that is bound more (held, then corner,
+/// border, film) or in the middle. All of it is one operation: when any part is refused, nothing is done.
 ///
 /// That two stars which move towards each other along the line between their centres do not cross on the way: for
 /// elements (a, x) and (b, y) of the two, the volume of (a, x, b, y) is |ab| times a factor that does not depend on

@@ -8,7 +8,7 @@ enum class SeparationRule {
   flow,  ///< when the motion of the last step diverges along the direction of separation: prescribed flows
 };
 
-/// How films join, part and vanish (METHOD "Remeshing and topology"). Lengths are relative to the target edge h̄.
+/// How films join, part and vanish (docs/method.md "Topology"). Lengths are relative to the target edge h̄.
 struct TopologyOptions {
   bool enabled = false;
 

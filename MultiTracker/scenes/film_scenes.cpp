@@ -26,7 +26,7 @@ base::OptionSpec time_step(double dt) {
   return base::positive_number("dt", dt, "time step");
 }
 
-// Films under tension: METHOD's bounds, and films part when that shrinks the area.
+// Films under tension: the method's bounds, and films part when that shrinks the area.
 std::vector<SceneEntry::Default> under_tension(long steps) {
   return {{"steps", steps},
           {"remeshing.max_volume_change", 1e-2},

@@ -34,20 +34,21 @@ Drive growth(const base::OptionSet& options, const SurfaceMesh&) {
 }
 
 SceneEntry normal_flow() {
-  return {"normal-flow",
-          "spheres that grow along their normals until they press into a foam",
-          {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
-           base::flag("one_region", false, "all spheres are one region and flow together"),
-           base::positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
-          // Films that are pressed together meet before they crumple: METHOD's distance, not that of plain tracking.
-          {{"steps", 60L}, {"topology.merge_distance", 0.1}},
-          [](const base::OptionSet& options) {
-            return lostopos::sphere_meshes(spheres(options), options.flag("one_region"));
-          },
-          // At unit speed: time is the way.
-          [](const base::OptionSet& options, const SurfaceMesh& start) -> Drive {
-            return {std::make_unique<NormalFlow>(1), options.number("step") * lostopos::mean_edge_length(start)};
-          }};
+  return {
+      "normal-flow",
+      "spheres that grow along their normals until they press into a foam",
+      {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
+       base::flag("one_region", false, "all spheres are one region and flow together"),
+       base::positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
+      // Films that are pressed together meet before they crumple: the method's distance, not that of plain tracking.
+      {{"steps", 60L}, {"topology.merge_distance", 0.1}},
+      [](const base::OptionSet& options) {
+        return lostopos::sphere_meshes(spheres(options), options.flag("one_region"));
+      },
+      // At unit speed: time is the way.
+      [](const base::OptionSet& options, const SurfaceMesh& start) -> Drive {
+        return {std::make_unique<NormalFlow>(1), options.number("step") * lostopos::mean_edge_length(start)};
+      }};
 }
 
 SceneEntry merge() {

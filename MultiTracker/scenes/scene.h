@@ -39,7 +39,7 @@ const SceneEntry& scene_by_name(std::string_view name);
 
 /// All options of a scene with their defaults.
 base::OptionSet options_of(const SceneEntry& scene);
-/// The options that every scene has, with the defaults for plain tracking (METHOD "Remeshing and topology").
+/// The options that every scene has, with the defaults for plain tracking (docs/method.md "Remeshing").
 std::vector<base::OptionSpec> common_option_specs();
 
 /// The tracker of a scene at its start, on `surface`: its resolution is that of the options or, when that is 0, the

@@ -21,7 +21,7 @@ struct DoubleBubbleEquilibrium {
 
   double total_area() const { return outer[0].area + outer[1].area + wall.area; }
   /// Pressure of a bubble above the air's, for films of the given tension (both sides together; 4σ in the dynamics of
-  /// METHOD's conventions): 2 tension / radius.
+  /// docs/method.md's conventions): 2 tension / radius.
   double pressure(std::size_t bubble, double tension = 1) const { return 2 * tension / outer.at(bubble).radius; }
 };
 

@@ -9,8 +9,8 @@
 
 namespace foamsim {
 
-/// The velocity that a vortex sheet induces at its own vertices (METHOD "One time step", 4). Holds the work arrays, so
-/// that evaluating it in every step allocates nothing.
+/// The velocity that a vortex sheet induces at its own vertices (docs/method.md "The step", 3). Holds the work arrays,
+/// so that evaluating it in every step allocates nothing.
 class SheetVelocity {
  public:
   explicit SheetVelocity(std::unique_ptr<BiotSavart> sum) : sum_(std::move(sum)) {}

@@ -14,7 +14,8 @@ struct EquilibriumErrors {
   double rim = 0;       ///< mean distance of the Plateau border's vertices from their centre
   double wall = 0;      ///< area of the film between the bubbles
   double pressure = 0;  ///< from the mean curvature H of a bubble's outer film away from the border, against 2/r
-  /// Deviation from 120° in degrees: of the facets (METHOD "The report's cases"), and of the films (FilmAngles).
+  /// Deviation from 120° in degrees: of the facets (docs/method.md "The report's cases"), and of the films
+  /// (FilmAngles).
   std::optional<double> angle_rms_deg, angle_rms_film_deg;
   std::optional<double> angle_outer_mean_deg;  ///< of the facets
 };

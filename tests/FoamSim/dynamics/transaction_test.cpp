@@ -21,7 +21,15 @@ using lostopos::SurfaceMesh;
 using lostopos::Vec3;
 
 // The stage of a step in which it is to fail.
-enum class Where { attach_only, circulation, velocity, positions, not_finite, constraint_circulation, constraint_positions };
+enum class Where {
+  attach_only,
+  circulation,
+  velocity,
+  positions,
+  not_finite,
+  constraint_circulation,
+  constraint_positions
+};
 
 // Counts its steps, keeps a field on the films, and fails where it is told to.
 class Saboteur final : public Effect {
@@ -127,11 +135,11 @@ TEST_P(FailedStep, LeavesEveryBitAndCanBeMadeAgain) {
   EXPECT_GT(never.simulation.topology_totals().snaps, 0U) << "the bubbles have not met: too weak a test";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Stages, FailedStep,
-    testing::Combine(testing::Values(Where::circulation, Where::velocity, Where::positions, Where::not_finite,
-                                     Where::constraint_circulation, Where::constraint_positions),
-                     testing::Values("euler", "rk4")));
+INSTANTIATE_TEST_SUITE_P(Stages, FailedStep,
+                         testing::Combine(testing::Values(Where::circulation, Where::velocity, Where::positions,
+                                                          Where::not_finite, Where::constraint_circulation,
+                                                          Where::constraint_positions),
+                                          testing::Values("euler", "rk4")));
 
 TEST(SimulationStateTest, GoesOnFromWhereItWasTakenThroughJson) {
   Meeting one = meeting(Where::attach_only, 0, "euler"), other = meeting(Where::attach_only, 0, "euler");

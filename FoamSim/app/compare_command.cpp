@@ -59,6 +59,7 @@ int compare(const Arguments& arguments, const Program& program) {
   if (runs.back().outcome.end == RunEnd::interrupted) return InterruptGuard::exit_code();
   if (!arguments.no_pictures) {
     std::vector<std::filesystem::path> rows;
+    rows.reserve(runs.size());
     for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
     draw_frames(rows, 3, settings.out / "compare.png");
     plot(program, "plot_compare.py", settings.out);

@@ -8,7 +8,6 @@
 
 namespace multitracker {
 
-using base::flag;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::Vec3;

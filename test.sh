@@ -12,7 +12,8 @@ cmake --build --preset release -j "$jobs"
 ctest --preset release -j "$jobs"
 
 if [ "${1:-}" = "--asan" ]; then
-  cmake --preset asan ${CI:+-DFOAMSIM_WERROR=ON} >/dev/null
+  # No warnings as errors here: GCC warns falsely of instrumented code.
+  cmake --preset asan >/dev/null
   cmake --build --preset asan -j "$jobs"
   ctest --preset asan -j "$jobs"
 fi

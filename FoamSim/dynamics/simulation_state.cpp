@@ -40,9 +40,9 @@ json remembered(const Models& models) {
 
 template <class Models>
 void remind(const Models& models, const json& all, const char* kind) {
-  for (const auto& [name, own] : all.items())
-    if (std::ranges::none_of(models, [&name](const auto& model) { return model->name() == name; }))
-      throw base::InputError(std::string("the state is of a simulation with the ") + kind + " '" + name +
+  for (const auto& entry : all.items())
+    if (std::ranges::none_of(models, [&entry](const auto& model) { return model->name() == entry.key(); }))
+      throw base::InputError(std::string("the state is of a simulation with the ") + kind + " '" + entry.key() +
                              "', which this one does not have");
   for (const auto& model : models) {
     const json own = all.value(std::string(model->name()), json());

@@ -1,12 +1,11 @@
 #include "FoamSim/render/render.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "Base/error.h"
+#include "Base/parallel/for_each.h"
 #include "FoamSim/render/shading.h"
 #include "FoamSim/render/tone.h"
 
@@ -78,8 +77,9 @@ class Picture {
     constexpr int kTile = 16;
     const int across = (options_.width + kTile - 1) / kTile;
     const int down = (options_.height + kTile - 1) / kTile;
-    tbb::parallel_for(0, across * down, [&](int tile) {
+    base::parallel_for_each(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 1, [&](std::size_t i) {
       Shader::Scratch scratch;
+      const int tile = static_cast<int>(i);
       const int left = tile % across * kTile;
       const int top = tile / across * kTile;
       for (int y = top; y < std::min(top + kTile, options_.height); ++y)

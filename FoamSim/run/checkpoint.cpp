@@ -1,5 +1,6 @@
 #include "FoamSim/run/checkpoint.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "Base/error.h"

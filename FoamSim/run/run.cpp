@@ -1,5 +1,7 @@
 #include "FoamSim/run/run.h"
 
+#include <nlohmann/json.hpp>
+
 #include "Base/error.h"
 #include "Base/options/options_json.h"
 #include "FoamSim/run/scene_motion.h"
@@ -44,6 +46,12 @@ lostopos::run::Output output_of(const Scene& scene, const RunSettings& settings,
                                 const std::filesystem::path& checkpoint) {
   const auto folder_of_checkpoint = checkpoint.parent_path().empty() ? "." : checkpoint.parent_path();
   const auto folder = settings.out.empty() ? folder_of_checkpoint : settings.out;
+  const nlohmann::ordered_json description = {{"version", version},
+                                              {"command", settings.command},
+                                              {"scene", scene.name},
+                                              {"mesh_file", scene.mesh_file},
+                                              {"options", base::options_to_json(scene.options)},
+                                              {"seed", scene.options.whole("seed")}};
   return {.folder = folder,
           .force = settings.force,
           .go_on = !checkpoint.empty() && same_folder(folder, folder_of_checkpoint),
@@ -51,12 +59,7 @@ lostopos::run::Output output_of(const Scene& scene, const RunSettings& settings,
           .checkpoint_every = scene.options.whole("checkpoint_every"),
           .vtp = scene.options.flag("vtp"),
           .checkpoint = checkpoint_format(),
-          .description = {{"version", version},
-                          {"command", settings.command},
-                          {"scene", scene.name},
-                          {"mesh_file", scene.mesh_file},
-                          {"options", base::options_to_json(scene.options)},
-                          {"seed", scene.options.whole("seed")}}};
+          .describe = [description](nlohmann::ordered_json& run) { run.update(description); }};
 }
 
 RunOutcome outcome_of(const SceneMotion& motion, lostopos::run::Outcome&& done, const std::filesystem::path& folder) {

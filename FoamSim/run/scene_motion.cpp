@@ -1,5 +1,7 @@
 #include "FoamSim/run/scene_motion.h"
 
+#include <nlohmann/json.hpp>
+
 #include "FoamSim/metrics/metrics_csv.h"
 #include "LosTopos/run/events_csv.h"
 
@@ -51,8 +53,8 @@ lostopos::SurfaceData SceneMotion::picture() const {
   return data;
 }
 
-std::optional<nlohmann::json> SceneMotion::checkpoint() const {
-  return checkpoint_content(scene_, simulation(), start_, metrics(), rest_.quiet());
+void SceneMotion::save(nlohmann::json& checkpoint) const {
+  checkpoint = checkpoint_content(scene_, simulation(), start_, metrics(), rest_.quiet());
 }
 
 }  // namespace foamsim

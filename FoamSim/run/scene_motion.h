@@ -25,7 +25,8 @@ class SceneMotion final : public SimulationMotion {
   std::vector<lostopos::run::Table> tables() const override;
   /// With the circulation at the triangles' corners, averaged.
   lostopos::SurfaceData picture() const override;
-  std::optional<nlohmann::json> checkpoint() const override;
+  bool resumable() const override { return true; }
+  void save(nlohmann::json& checkpoint) const override;
 
   const Scene& scene() const { return scene_; }
   const StartOfRun& start() const { return start_; }

@@ -11,15 +11,6 @@ using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vertex;
 
-namespace {
-
-template <class Values>
-auto find(Values& values, RegionPair pair) {
-  return std::ranges::lower_bound(values, pair, {}, &PairCirculation::pair);
-}
-
-}  // namespace
-
 CirculationField::CirculationField(SurfaceMesh& mesh)
     : values_(mesh.add_vertex_attribute<VertexCirculation>("circulation", std::make_unique<CirculationTransfer>())) {
   const bool known = std::ranges::any_of(values_.slots(), [](const VertexCirculation& v) { return !v.empty(); });
@@ -28,7 +19,7 @@ CirculationField::CirculationField(SurfaceMesh& mesh)
 
 double CirculationField::get(Vertex v, Labels pq) const {
   const VertexCirculation& values = values_[v];
-  const auto it = find(values, RegionPair(pq));
+  const auto it = lower_bound(values, RegionPair(pq));
   return it != values.end() && it->pair == RegionPair(pq) ? RegionPair::sign(pq) * it->value
                                                           : RegionPair::sign(pq) * 0.0;
 }
@@ -37,7 +28,7 @@ void CirculationField::set(Vertex v, Labels pq, double value) {
   const RegionPair pair(pq);
   const double stored = RegionPair::sign(pq) * value;
   VertexCirculation& values = values_[v];
-  const auto it = find(values, pair);
+  const auto it = lower_bound(values, pair);
   if (it != values.end() && it->pair == pair)
     it->value = stored;
   else

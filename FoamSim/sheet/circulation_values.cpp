@@ -13,13 +13,8 @@ using lostopos::Vertex;
 
 namespace {
 
-template <class Values>
-auto find(Values& values, RegionPair pair) {
-  return std::ranges::lower_bound(values, pair, {}, &PairCirculation::pair);
-}
-
 std::optional<double> value_of(const VertexCirculation& values, RegionPair pair) {
-  const auto it = find(values, pair);
+  const auto it = lower_bound(values, pair);
   return it != values.end() && it->pair == pair ? std::optional(it->value) : std::nullopt;
 }
 
@@ -67,7 +62,8 @@ VertexCirculation interpolate(const VertexCirculation& a, const VertexCirculatio
   for (PairCirculation& entry : mixed)
     if (const auto other = value_of(b, entry.pair)) entry.value = (1 - t) * entry.value + t * *other;
   for (const PairCirculation& entry : b)
-    if (const auto it = find(mixed, entry.pair); it == mixed.end() || it->pair != entry.pair) mixed.insert(it, entry);
+    if (const auto it = lower_bound(mixed, entry.pair); it == mixed.end() || it->pair != entry.pair)
+      mixed.insert(it, entry);
   return mixed;
 }
 
@@ -95,7 +91,7 @@ void add_missing(std::span<VertexCirculation> values, const SurfaceMesh& mesh, V
   VertexCirculation& own = values[v.index()];
   for (const PairCirculation& entry : given) {
     if (!std::ranges::binary_search(pairs, entry.pair)) continue;
-    if (const auto it = find(own, entry.pair); it == own.end() || it->pair != entry.pair) own.insert(it, entry);
+    if (const auto it = lower_bound(own, entry.pair); it == own.end() || it->pair != entry.pair) own.insert(it, entry);
   }
 }
 

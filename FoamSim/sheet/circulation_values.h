@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <span>
 
@@ -16,6 +17,12 @@ struct PairCirculation {
 
 /// What one vertex holds, sorted by pair.
 using VertexCirculation = boost::container::small_vector<PairCirculation, 1>;
+
+/// The entry of `pair`, or where it would have to be inserted.
+template <class Values>
+auto lower_bound(Values& values, RegionPair pair) {
+  return std::ranges::lower_bound(values, pair, {}, &PairCirculation::pair);
+}
 
 /// For each pair (1 − t) a + t b, or the value of the one that holds it.
 VertexCirculation interpolate(const VertexCirculation& a, const VertexCirculation& b, double t);

@@ -1,13 +1,12 @@
 #include "LosTopos/collision/contact_search.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "Base/lists/erase_repeated.h"
+#include "Base/parallel/for_each.h"
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/collision/box_overlap.h"
 
@@ -177,12 +176,12 @@ void ContactSearch::gather(const Scratches& scratches, FoundContacts& found) {
 }
 
 void ContactSearch::search_block(std::size_t first, std::size_t last, bool changed_only, Scratches& scratches) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, batch), [&](const auto& range) {
+  base::parallel_ranges(first, last, batch, [&](std::size_t begin, std::size_t end) {
     Scratch& scratch = scratches.of_threads.local();
-    for (std::size_t from = range.begin(); from < range.end(); from += batch) {
+    for (std::size_t from = begin; from < end; from += batch) {
       base::Stopwatch watch;
       scratch.pairs.clear();
-      for (std::size_t i = from; i < std::min(from + batch, range.end()); ++i) {
+      for (std::size_t i = from; i < std::min(from + batch, end); ++i) {
         collect(subjects_[i], changed_only, scratch);
       }
       scratch.broad_phase_seconds += watch.restart();

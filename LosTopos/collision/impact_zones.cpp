@@ -10,7 +10,7 @@
 namespace lostopos {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_zone = std::numeric_limits<std::uint32_t>::max();
 
 template <class T>
 void move_to_end(std::vector<T>& to, std::vector<T>& from) {
@@ -22,7 +22,7 @@ void move_to_end(std::vector<T>& to, std::vector<T>& from) {
 
 ImpactZones::ZoneIndex ImpactZones::zone_of(Vertex v) {
   ZoneIndex& zone = zone_of_vertex_[v.index()];
-  if (zone == none) {
+  if (zone == no_zone) {
     zone = static_cast<ZoneIndex>(zones_.size());
     zones_.push_back({{}, {v}, 1, false});
   }
@@ -42,14 +42,14 @@ ImpactZones::ZoneIndex ImpactZones::merge(ZoneIndex a, ZoneIndex b) {
   return a;
 }
 
-// The zone of all its free vertices; none when it has none.
+// The zone of all its free vertices; no_zone when it has none.
 ImpactZones::ZoneIndex ImpactZones::join(const Contact& contact) {
-  ZoneIndex zone = none;
+  ZoneIndex zone = no_zone;
   for (Vertex v : contact.pair.vertices) {
     if (motion_.held(v)) continue;
-    zone = zone == none ? zone_of(v) : merge(zone, zone_of(v));
+    zone = zone == no_zone ? zone_of(v) : merge(zone, zone_of(v));
   }
-  if (zone == none) return zone;
+  if (zone == no_zone) return zone;
   for (Vertex v : contact.pair.vertices) {
     auto& vertices = zones_[zone].vertices;
     if (!motion_.held(v) || std::ranges::find(vertices, v) != vertices.end()) continue;
@@ -62,7 +62,7 @@ ImpactZones::ZoneIndex ImpactZones::join(const Contact& contact) {
 
 // Returns the zones that have a new contact, each once, ascending.
 std::vector<ImpactZones::ZoneIndex> ImpactZones::take_in(std::span<const Contact> contacts) {
-  if (zone_of_vertex_.empty()) zone_of_vertex_.assign(motion_.ends().size(), none);
+  if (zone_of_vertex_.empty()) zone_of_vertex_.assign(motion_.ends().size(), no_zone);
   for (const Contact& contact : contacts) join(contact);
   std::vector<ZoneIndex> touched;
   for (const Contact& contact : contacts) {

@@ -12,8 +12,8 @@ namespace lostopos {
 namespace {
 
 // Largest components between these keep products of three of them from overflow, and underflow within its bound.
-constexpr double smallest_plain_size = 0x1p-100;
-constexpr double largest_plain_size = 0x1p+20;
+constexpr double smallest_trusted_size = 0x1p-100;
+constexpr double largest_trusted_size = 0x1p+20;
 
 // Differences of such differences do not overflow.
 constexpr double largest_plain_difference = 0x1p+1020;
@@ -112,7 +112,7 @@ std::optional<HullContact> contact_of(MovingHull& hull, const Rebuild& rebuild) 
     size = size_of(hull);
   }
   if (size == 0) return HullContact{0, Vec3::Zero()};
-  if (!(size >= smallest_plain_size && size <= largest_plain_size)) {
+  if (!(size >= smallest_trusted_size && size <= largest_trusted_size)) {
     int exponent = 0;
     std::frexp(size, &exponent);
     // Two factors, for 2^-exponent may be too large for one.

@@ -77,12 +77,12 @@ bool point_in_planar_triangle(const Vec3& p, const Triple& t, int axis) {
   return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
 }
 
-Contact touching_if(bool condition) {
-  return condition ? Contact::touching : Contact::none;
+Crossing touching_if(bool condition) {
+  return condition ? Crossing::touching : Crossing::none;
 }
 
 // Segment in the plane of a triangle, or a triangle that is collapsed to a segment or point.
-Contact coplanar_contact(const Vec3& s0, const Vec3& s1, const Triple& t) {
+Crossing coplanar_contact(const Vec3& s0, const Vec3& s1, const Triple& t) {
   const int axis = projection_axis(*t[0], *t[1], *t[2]);
   if (axis < 0) {
     return touching_if(segments_intersect(s0, s1, *t[0], *t[1]) || segments_intersect(s0, s1, *t[1], *t[2]) ||
@@ -94,14 +94,14 @@ Contact coplanar_contact(const Vec3& s0, const Vec3& s1, const Triple& t) {
 }
 
 // The stronger of two answers: proper, touching, none.
-Contact stronger(Contact a, Contact b) {
-  if (a == Contact::proper || b == Contact::proper) return Contact::proper;
-  return touching_if(a == Contact::touching || b == Contact::touching);
+Crossing stronger(Crossing a, Crossing b) {
+  if (a == Crossing::proper || b == Crossing::proper) return Crossing::proper;
+  return touching_if(a == Crossing::touching || b == Crossing::touching);
 }
 
-Contact edges_against_triangle(const std::array<Vec3, 3>& edges, const std::array<Vec3, 3>& t) {
-  Contact contact = Contact::none;
-  for (std::size_t i = 0; i < 3 && contact != Contact::proper; ++i) {
+Crossing edges_against_triangle(const std::array<Vec3, 3>& edges, const std::array<Vec3, 3>& t) {
+  Crossing contact = Crossing::none;
+  for (std::size_t i = 0; i < 3 && contact != Crossing::proper; ++i) {
     contact = stronger(contact, segment_triangle_intersect(edges[i], edges[(i + 1) % 3], t[0], t[1], t[2]));
   }
   return contact;
@@ -129,11 +129,11 @@ bool segments_intersect(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Ve
   return planar_segments_intersect(p0, p1, q0, q1, axis);
 }
 
-Contact segment_triangle_intersect(const Vec3& s0, const Vec3& s1, const Vec3& t0, const Vec3& t1, const Vec3& t2) {
-  if (disjoint(box_of(s0, s1), box_of(t0, t1, t2))) return Contact::none;
+Crossing segment_triangle_intersect(const Vec3& s0, const Vec3& s1, const Vec3& t0, const Vec3& t1, const Vec3& t2) {
+  if (disjoint(box_of(s0, s1), box_of(t0, t1, t2))) return Crossing::none;
   const int side0 = orient3d(t0, t1, t2, s0);
   const int side1 = orient3d(t0, t1, t2, s1);
-  if (side0 * side1 > 0) return Contact::none;
+  if (side0 * side1 > 0) return Crossing::none;
   if (side0 == 0 && side1 == 0) return coplanar_contact(s0, s1, {&t0, &t1, &t2});
 
   // The segment's line meets the plane in one point; the signs say on which side of each edge.
@@ -141,20 +141,20 @@ Contact segment_triangle_intersect(const Vec3& s0, const Vec3& s1, const Vec3& t
   const int edge1 = orient3d(s0, s1, t1, t2);
   const int edge2 = orient3d(s0, s1, t2, t0);
   const bool inside = (edge0 >= 0 && edge1 >= 0 && edge2 >= 0) || (edge0 <= 0 && edge1 <= 0 && edge2 <= 0);
-  if (!inside) return Contact::none;
+  if (!inside) return Crossing::none;
   const bool general = side0 * side1 * edge0 * edge1 * edge2 != 0;
-  return general ? Contact::proper : Contact::touching;
+  return general ? Crossing::proper : Crossing::touching;
 }
 
-Contact triangles_intersect(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
-  if (disjoint(box_of(a[0], a[1], a[2]), box_of(b[0], b[1], b[2]))) return Contact::none;
-  if (strictly_on_one_side(a, b) || strictly_on_one_side(b, a)) return Contact::none;
-  const Contact contact = edges_against_triangle(a, b);
-  return contact == Contact::proper ? contact : stronger(contact, edges_against_triangle(b, a));
+Crossing triangles_intersect(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+  if (disjoint(box_of(a[0], a[1], a[2]), box_of(b[0], b[1], b[2]))) return Crossing::none;
+  if (strictly_on_one_side(a, b) || strictly_on_one_side(b, a)) return Crossing::none;
+  const Crossing contact = edges_against_triangle(a, b);
+  return contact == Crossing::proper ? contact : stronger(contact, edges_against_triangle(b, a));
 }
 
-Contact triangles_intersect_sharing_vertex(const Vec3& shared, const Vec3& a1, const Vec3& a2, const Vec3& b1,
-                                           const Vec3& b2) {
+Crossing triangles_intersect_sharing_vertex(const Vec3& shared, const Vec3& a1, const Vec3& a2, const Vec3& b1,
+                                            const Vec3& b2) {
   return stronger(segment_triangle_intersect(a1, a2, shared, b1, b2),
                   segment_triangle_intersect(b1, b2, shared, a1, a2));
 }

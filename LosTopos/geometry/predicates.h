@@ -15,7 +15,7 @@ namespace lostopos {
 using Vec2 = Eigen::Vector2d;
 
 /// How two closed sets meet.
-enum class Contact {
+enum class Crossing {
   none,      ///< they have no common point
   proper,    ///< they cross in general position: the answer survives a small enough change of the points
   touching,  ///< they have a common point, but a boundary or a degenerate or coplanar position is involved
@@ -36,16 +36,16 @@ bool segments_intersect(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Ve
 
 /// How the closed segment s0s1 meets the closed triangle t0t1t2. proper: the segment's interior crosses the
 /// triangle's interior. Collapsed segments and triangles are treated as the points or segments that they are.
-Contact segment_triangle_intersect(const Vec3& s0, const Vec3& s1, const Vec3& t0, const Vec3& t1, const Vec3& t2);
+Crossing segment_triangle_intersect(const Vec3& s0, const Vec3& s1, const Vec3& t0, const Vec3& t1, const Vec3& t2);
 
 /// How two closed triangles that share no vertex meet. proper: an edge of one properly crosses the other.
-Contact triangles_intersect(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
+Crossing triangles_intersect(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 /// How the triangles (shared, a1, a2) and (shared, b1, b2) meet away from their common vertex: two convex sets with a
 /// common corner that meet elsewhere do so on the edge opposite to that corner of one of them.
 /// A triangle collapsed to a segment with `shared` in its middle always counts as touching.
-Contact triangles_intersect_sharing_vertex(const Vec3& shared, const Vec3& a1, const Vec3& a2, const Vec3& b1,
-                                           const Vec3& b2);
+Crossing triangles_intersect_sharing_vertex(const Vec3& shared, const Vec3& a1, const Vec3& a2, const Vec3& b1,
+                                            const Vec3& b2);
 
 /// Whether the triangles (e0, e1, a) and (e0, e1, b) have a common point off their common edge e0e1, which they have
 /// exactly when they are coplanar and folded onto each other.

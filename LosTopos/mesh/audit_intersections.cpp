@@ -56,7 +56,7 @@ std::vector<EdgeTriangleContact> edge_triangle_contacts(const SurfaceMesh& mesh,
     for (; it != edges.end() && it->box.min()[axis] <= box.max()[axis]; ++it) {
       if (!box.intersects(it->box) || share_a_vertex(mesh, it->edge, t)) continue;
       const auto& ends = mesh.vertices(it->edge);
-      if (segment_triangle_intersect(mesh.position(ends[0]), mesh.position(ends[1]), a, b, c) == Contact::none)
+      if (segment_triangle_intersect(mesh.position(ends[0]), mesh.position(ends[1]), a, b, c) == Crossing::none)
         continue;
       contacts.push_back({it->edge, t});
       if (contacts.size() >= limit) return contacts;

@@ -12,7 +12,7 @@
 namespace lostopos {
 namespace {
 
-constexpr std::array invariants = {
+constexpr std::array collapse_invariants = {
     Invariant{Refusal::inverted_normal, keeps_orientation}, Invariant{Refusal::long_edge, keeps_longest_edge},
     Invariant{Refusal::small_angle, keeps_min_angle},       Invariant{Refusal::large_angle, keeps_max_angle},
     Invariant{Refusal::small_area, keeps_min_area},         Invariant{Refusal::volume_change, keeps_volumes},
@@ -113,7 +113,7 @@ std::optional<Refusal> EdgeCollapse::check(Edge e) {
   position_ = volume_keeping_position(e);
   c_.plan.move(kept_, position_);
   c_.plan.measure(c_.mesh);
-  if (const auto refusal = first_broken(invariants, c_.plan, c_.limits)) return refusal;
+  if (const auto refusal = first_broken(collapse_invariants, c_.plan, c_.limits)) return refusal;
   if (!motions_are_free(e, on_edge)) return Refusal::intersection;
   return {};
 }

@@ -27,7 +27,7 @@ constexpr std::array shift_invariants = {
 };
 
 // The shift that keeps the volumes is left out when it is more than this part of the new edge.
-constexpr double largest_shift = 0.1;
+constexpr double largest_end_shift = 0.1;
 
 // What lies on the left and right of t, seen along e.
 Labels labels_along(const SurfaceMesh& mesh, Triangle t, Edge e) {
@@ -102,7 +102,7 @@ std::optional<Refusal> EdgeFlip::plan_shift(Edge e) {
     }
     const Vec3 shift = VolumeChange(c_.mesh, c_.plan, moved_).restoring_shift(c_.held[moved_]);
     const double new_length = (c_.mesh.position(opposite_[1]) - c_.mesh.position(opposite_[0])).norm();
-    position_ = shift.norm() <= largest_shift * new_length ? Vec3(start + shift) : start;
+    position_ = shift.norm() <= largest_end_shift * new_length ? Vec3(start + shift) : start;
     c_.motion.clear();
     c_.motion.add_planned_star(c_.plan, moved_, position_);
     c_.plan.move(moved_, position_);

@@ -9,7 +9,7 @@
 namespace lostopos {
 namespace {
 
-constexpr std::array invariants = {
+constexpr std::array split_invariants = {
     Invariant{Refusal::inverted_normal, keeps_orientation}, Invariant{Refusal::small_angle, keeps_min_angle},
     Invariant{Refusal::large_angle, keeps_max_angle},       Invariant{Refusal::small_area, keeps_min_area},
     Invariant{Refusal::volume_change, keeps_volumes},
@@ -31,7 +31,7 @@ std::optional<Refusal> EdgeSplit::plan_at(Edge e, const Vec3& position) {
   c_.plan.move(planned_vertex, position);
   c_.plan.measure(c_.mesh);
   position_ = position;
-  if (const auto refusal = first_broken(invariants, c_.plan, c_.limits)) return refusal;
+  if (const auto refusal = first_broken(split_invariants, c_.plan, c_.limits)) return refusal;
   if (!c_.guard.is_free(c_.motion, {{}, e})) return Refusal::intersection;
   return {};
 }

@@ -13,7 +13,7 @@
 namespace lostopos {
 namespace {
 
-constexpr std::array invariants = {
+constexpr std::array smoothing_invariants = {
     Invariant{Refusal::inverted_normal, keeps_orientation}, Invariant{Refusal::not_better, improves_min_angle},
     Invariant{Refusal::long_edge, keeps_longest_edge},      Invariant{Refusal::small_area, keeps_min_area},
     Invariant{Refusal::volume_change, keeps_volumes},
@@ -95,7 +95,7 @@ std::optional<Refusal> NullSpaceSmoothing::plan_move(Vertex v, const Vec3& targe
   c_.plan.move(v, target);
   c_.plan.measure(c_.mesh);
   target_ = target;
-  if (const auto refusal = first_broken(invariants, c_.plan, c_.limits)) return refusal;
+  if (const auto refusal = first_broken(smoothing_invariants, c_.plan, c_.limits)) return refusal;
   const std::array<Vertex, 1> moving = {v};
   if (!c_.guard.is_free(c_.motion, {moving, Edge()})) return Refusal::intersection;
   return {};

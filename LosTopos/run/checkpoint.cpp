@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "Base/error.h"

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -42,10 +41,12 @@ class Motion {
   virtual std::vector<Table> tables() const { return {}; }
   /// The surface with its arrays, for vtp files.
   virtual SurfaceData picture() const { return from_mesh(mesh()); }
-  /// What a motion needs to go on as if it had not stopped, to the bit; nothing when it cannot be taken up again.
-  virtual std::optional<nlohmann::json> checkpoint() const { return {}; }
-  /// What run.json says besides what it says of every run.
-  virtual nlohmann::ordered_json summary() const { return nlohmann::ordered_json::object(); }
+  /// Whether it can be taken up again from a checkpoint.
+  virtual bool resumable() const { return false; }
+  /// Puts what it needs to go on as if it had not stopped, to the bit, into an empty object.
+  virtual void save(nlohmann::json& /*checkpoint*/) const {}
+  /// Adds what run.json says besides what it says of every run.
+  virtual void summarize(nlohmann::ordered_json& /*run*/) const {}
 };
 
 }  // namespace lostopos::run

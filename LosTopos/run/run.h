@@ -31,7 +31,7 @@ struct Output {
   long checkpoint_every = 0;  ///< steps between checkpoints; 0: at the end only
   bool vtp = false;           ///< also write .vtp frames and surface.pvd
   CheckpointFormat checkpoint;
-  nlohmann::ordered_json description = nlohmann::ordered_json::object();  ///< how run.json begins
+  std::function<void(nlohmann::ordered_json& run)> describe = {};  ///< how run.json begins
 };
 
 /// What the caller of a run hears and may say while it goes on.

@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "Base/io/atomic_file.h"
@@ -73,9 +74,10 @@ ordered_json collisions_json(const MoveStatistics& m) {
 
 }  // namespace
 
-void write_run_json(const std::filesystem::path& file, const ordered_json& description, const Motion& motion,
+void write_run_json(const std::filesystem::path& file, const Output& output, const Motion& motion,
                     const std::string& ended, const Outcome& outcome) {
-  ordered_json value = description;
+  ordered_json value = ordered_json::object();
+  if (output.describe) output.describe(value);
   value["threads"] = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   value["machine"] = {{"cpu", cpu_model()}, {"cores", std::thread::hardware_concurrency()}};
   value["ended"] = ended;
@@ -89,7 +91,7 @@ void write_run_json(const std::filesystem::path& file, const ordered_json& descr
   value["topology"] = topology_json(outcome.work.topology);
   value["collisions"] = collisions_json(outcome.work.move);
   value["last_frame"] = outcome.last_frame.filename().string();
-  value.update(motion.summary());
+  motion.summarize(value);
   base::AtomicFile out(file);
   out.stream() << value.dump(2) << '\n';
   out.commit();

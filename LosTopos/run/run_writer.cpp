@@ -1,5 +1,7 @@
 #include "LosTopos/run/run_writer.h"
 
+#include <nlohmann/json.hpp>
+
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/vtp.h"
 #include "LosTopos/run/run_json.h"
@@ -27,7 +29,7 @@ RunWriter::RunWriter(const Motion& motion, const Output& output)
       output_(output),
       folder_(output.go_on ? RunFolder::open(output.folder) : RunFolder::create(output.folder, output.force)),
       pvd_(folder_.pvd()),
-      saves_checkpoints_(motion.checkpoint().has_value()) {
+      saves_checkpoints_(motion.resumable()) {
   try {
     begin();
   } catch (...) {
@@ -90,13 +92,14 @@ void RunWriter::write_frame() {
 
 void RunWriter::write_checkpoint() {
   if (!saves_checkpoints_ || motion_.steps() == last_checkpoint_) return;
-  const auto content = motion_.checkpoint();
-  run::write_checkpoint(folder_.checkpoint(), output_.checkpoint, *content);
+  nlohmann::json content = nlohmann::json::object();
+  motion_.save(content);
+  run::write_checkpoint(folder_.checkpoint(), output_.checkpoint, content);
   last_checkpoint_ = motion_.steps();
 }
 
 void RunWriter::write_json(const std::string& ended, const Outcome& outcome) const {
-  write_run_json(folder_.run_json(), output_.description, motion_, ended, outcome);
+  write_run_json(folder_.run_json(), output_, motion_, ended, outcome);
 }
 
 }  // namespace lostopos::run

@@ -28,9 +28,9 @@ bool are_apart(const PlannedTriangle& a, const PlannedTriangle& b) {
   boost::container::small_vector<Vertex, 3> common;
   for (Vertex v : a.vertices)
     if (place(b, v) < 3) common.push_back(v);
-  if (common.empty()) return triangles_intersect(a.corners, b.corners) == Contact::none;
+  if (common.empty()) return triangles_intersect(a.corners, b.corners) == Crossing::none;
   const Corners x = from(a, place(a, common[0])), y = from(b, place(b, common[0]));
-  if (common.size() == 1) return triangles_intersect_sharing_vertex(x[0], x[1], x[2], y[1], y[2]) == Contact::none;
+  if (common.size() == 1) return triangles_intersect_sharing_vertex(x[0], x[1], x[2], y[1], y[2]) == Crossing::none;
   if (common.size() == 3) return false;
   auto apex = [&](const PlannedTriangle& t) {
     for (std::size_t i = 0; i < 3; ++i)

@@ -1,5 +1,7 @@
 #include "MultiTracker/run/run.h"
 
+#include <nlohmann/json.hpp>
+
 #include "Base/options/options_json.h"
 
 namespace multitracker {
@@ -11,11 +13,12 @@ lostopos::run::Output output_of(const RunSettings& settings, long frame_every) {
   output.force = settings.force;
   output.frame_every = frame_every;
   const RunCall& call = settings.call;
-  output.description = {{"version", call.version},
-                        {"command", call.command},
-                        {"scene", call.scene},
-                        {"mesh_file", call.mesh_file},
-                        {"options", base::options_to_json(call.options)}};
+  const nlohmann::ordered_json description = {{"version", call.version},
+                                              {"command", call.command},
+                                              {"scene", call.scene},
+                                              {"mesh_file", call.mesh_file},
+                                              {"options", base::options_to_json(call.options)}};
+  output.describe = [description](nlohmann::ordered_json& run) { run.update(description); };
   return output;
 }
 

@@ -1,5 +1,7 @@
 #include "MultiTracker/run/tracking.h"
 
+#include <nlohmann/json.hpp>
+
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/run/events_csv.h"
 #include "MultiTracker/run/metrics_csv.h"
@@ -59,8 +61,9 @@ std::vector<Table> Tracking::tables() const {
           lostopos::run::events_table(*this)};
 }
 
-ordered_json Tracking::summary() const {
-  return {{"start", state_json(start_)}, {"last", state_json(metrics_)}};
+void Tracking::summarize(ordered_json& run) const {
+  run["start"] = state_json(start_);
+  run["last"] = state_json(metrics_);
 }
 
 lostopos::AuditReport Tracking::audit() const {

@@ -28,7 +28,7 @@ class Tracking final : public lostopos::run::Motion {
   /// metrics.csv and volumes.csv (a row a region), each step, and events.csv.
   std::vector<lostopos::run::Table> tables() const override;
   /// The surface's measures at the start and now.
-  nlohmann::ordered_json summary() const override;
+  void summarize(nlohmann::ordered_json& run) const override;
 
   const lostopos::SurfaceTracker& tracker() const { return tracker_; }
   /// Of the last step; at the start: no motion, nothing done.

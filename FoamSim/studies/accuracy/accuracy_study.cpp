@@ -10,14 +10,11 @@
 #include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/scenes/scene.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
+#include "FoamSim/studies/require.h"
 #include "LosTopos/error.h"
 
 namespace foamsim {
 namespace {
-
-void require(bool right, const char* what) {
-  if (!right) throw base::InputError(std::string("accuracy study: ") + what);
-}
 
 struct Combination {
   long n;
@@ -147,13 +144,14 @@ class AccuracyRun {
 
 void validate(const AccuracyOptions& o) {
   require(!o.areas.empty() && !o.sizes.empty() && !o.integrators.empty() && !o.steps_of_time.empty(),
-          "one strategy, size, integrator and dt, or more of each, have to be given");
+          "accuracy study: one strategy, size, integrator and dt, or more of each, have to be given");
   for (const std::string& area : o.areas) make_vertex_area(area, {});
   for (const std::string& integrator : o.integrators) integrators().find(integrator);
-  for (long n : o.sizes) require(n >= 8 && n <= 192, "sizes have to be 8 to 192");
-  for (double dt : o.steps_of_time) require(std::isfinite(dt) && dt > 0, "dt has to be a finite time > 0");
-  require(o.damping > 0 && o.damping <= 1, "damping has to be > 0 and at most 1");
-  require(std::isfinite(o.most_time) && o.most_time > 0, "the longest time has to be finite and > 0");
+  for (long n : o.sizes) require(n >= 8 && n <= 192, "accuracy study: sizes have to be 8 to 192");
+  for (double dt : o.steps_of_time)
+    require(std::isfinite(dt) && dt > 0, "accuracy study: dt has to be a finite time > 0");
+  require(o.damping > 0 && o.damping <= 1, "accuracy study: damping has to be > 0 and at most 1");
+  require(std::isfinite(o.most_time) && o.most_time > 0, "accuracy study: the longest time has to be finite and > 0");
 }
 
 std::vector<AccuracyRow> study_accuracy(const AccuracyOptions& options, const AccuracyHooks& hooks) {

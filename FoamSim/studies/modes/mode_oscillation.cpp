@@ -13,22 +13,20 @@
 #include "FoamSim/sheet/pressure/vertex_area/averaged.h"
 #include "FoamSim/sheet/velocity/registry.h"
 #include "FoamSim/studies/modes/modal_amplitudes.h"
+#include "FoamSim/studies/require.h"
 
 namespace foamsim {
 namespace {
 
-void require(bool right, const char* what) {
-  if (!right) throw base::InputError(std::string("mode study: ") + what);
-}
-
 void check(const ModeOptions& o) {
-  require(o.mode >= 2 && o.mode < static_cast<long>(fitted_modes), "the mode has to be 2 to 6");
-  require(o.subdivisions >= 1 && o.subdivisions <= 7, "subdivisions have to be 1 to 7");
-  require(o.amplitude > 0 && o.amplitude <= 0.2, "the amplitude has to be > 0 and at most 0.2 of the radius");
-  require(std::isfinite(o.radius) && o.radius > 0, "the radius has to be a finite length > 0");
-  require(std::isfinite(o.sigma) && o.sigma > 0, "sigma has to be a finite number > 0");
-  require(std::isfinite(o.dt) && o.dt >= 0, "dt has to be a finite time >= 0; 0 chooses one");
-  require(o.periods >= 1, "at least one period has to be measured");
+  require(o.mode >= 2 && o.mode < static_cast<long>(fitted_modes), "mode study: the mode has to be 2 to 6");
+  require(o.subdivisions >= 1 && o.subdivisions <= 7, "mode study: subdivisions have to be 1 to 7");
+  require(o.amplitude > 0 && o.amplitude <= 0.2,
+          "mode study: the amplitude has to be > 0 and at most 0.2 of the radius");
+  require(std::isfinite(o.radius) && o.radius > 0, "mode study: the radius has to be a finite length > 0");
+  require(std::isfinite(o.sigma) && o.sigma > 0, "mode study: sigma has to be a finite number > 0");
+  require(std::isfinite(o.dt) && o.dt >= 0, "mode study: dt has to be a finite time >= 0; 0 chooses one");
+  require(o.periods >= 1, "mode study: at least one period has to be measured");
 }
 
 SimulationParts tension_only(double sigma) {
@@ -180,12 +178,12 @@ ModeRun run_mode(const ModeOptions& options, const ModeCallback& progress) {
 }
 
 ModeConvergence mode_convergence(std::vector<ModeRun> runs) {
-  require(runs.size() >= 2, "convergence needs at least two runs");
+  require(runs.size() >= 2, "mode study: convergence needs at least two runs");
   ModeConvergence convergence;
   for (std::size_t i = 1; i < runs.size(); ++i) {
     const ModeRun &coarse = runs[i - 1], &fine = runs[i];
     require(coarse.options.mode == fine.options.mode && coarse.delta > fine.delta,
-            "runs have to be of one mode, from coarse to fine");
+            "mode study: runs have to be of one mode, from coarse to fine");
     convergence.observed_orders.push_back(std::log(std::abs(coarse.frequency_error() / fine.frequency_error())) /
                                           std::log(coarse.delta / fine.delta));
   }
@@ -197,7 +195,7 @@ ModeConvergence mode_convergence(std::vector<ModeRun> runs) {
 
 ModeConvergence study_mode(ModeOptions options, const std::vector<long>& subdivisions, const ModeCallback& progress) {
   require(subdivisions.size() >= 2 && std::ranges::is_sorted(subdivisions, std::ranges::less_equal{}),
-          "two or more numbers of subdivisions, ascending, have to be given");
+          "mode study: two or more numbers of subdivisions, ascending, have to be given");
   std::vector<ModeRun> runs;
   for (long n : subdivisions) {
     options.subdivisions = n;

@@ -5,6 +5,7 @@
 
 #include "Base/error.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
+#include "FoamSim/studies/require.h"
 
 namespace foamsim {
 namespace {
@@ -14,10 +15,6 @@ struct Combination {
   CaseSetup setup;
   double weight;  // roughly what it costs: steps times triangles
 };
-
-void require(bool right, const char* what) {
-  if (!right) throw base::InputError(std::string("stability study: ") + what);
-}
 
 std::vector<std::string> areas_for(const StabilityCase& what, const StabilityOptions& o) {
   switch (what.strategies) {
@@ -81,10 +78,11 @@ StabilityRow row_of(const StabilityCase& what, const CaseSetup& setup, const std
 void validate(const StabilityOptions& o) {
   for (const std::string& name : o.cases) stability_case_by_name(name);
   for (const std::string& area : o.areas) make_vertex_area(area, {});
-  require(!o.areas.empty(), "one strategy or more has to be given");
-  require(!o.remeshing.empty(), "remeshing has to be on, off, or both");
-  require(o.steps_scale > 0 && o.steps_scale <= 10, "the steps' scale has to be > 0 and at most 10");
-  require(std::isfinite(o.most_seconds) && o.most_seconds > 0, "the bound on wall time has to be a finite time > 0");
+  require(!o.areas.empty(), "stability study: one strategy or more has to be given");
+  require(!o.remeshing.empty(), "stability study: remeshing has to be on, off, or both");
+  require(o.steps_scale > 0 && o.steps_scale <= 10, "stability study: the steps' scale has to be > 0 and at most 10");
+  require(std::isfinite(o.most_seconds) && o.most_seconds > 0,
+          "stability study: the bound on wall time has to be a finite time > 0");
 }
 
 std::optional<StabilityRow> run_stability_case(const StabilityCase& what, const CaseSetup& setup, double most_seconds,

@@ -153,7 +153,7 @@ bool IntersectionGuard::new_edge_is_free(Vertex c, Vertex d) const {
                                 if (contains(names, c) || contains(names, d)) return false;
                                 const auto [x, y, z] = corners(mesh_, t.triangle);
                                 return segment_triangle_intersect(mesh_.position(c), mesh_.position(d), x, y, z) !=
-                                       Contact::none;
+                                       Crossing::none;
                               }) &&
          std::ranges::none_of(edges_, [&](const StaticEdge& e) {
            if (contains(e.ends, c) || contains(e.ends, d)) return false;
@@ -170,7 +170,7 @@ bool IntersectionGuard::new_triangle_is_free(const std::array<Vertex, 3>& triang
                                 return segment_triangle_intersect(mesh_.position(e.ends[0]), mesh_.position(e.ends[1]),
                                                                   mesh_.position(triangle[0]),
                                                                   mesh_.position(triangle[1]),
-                                                                  mesh_.position(triangle[2])) != Contact::none;
+                                                                  mesh_.position(triangle[2])) != Crossing::none;
                               }) &&
          std::ranges::none_of(vertices_, [&](const StaticVertex& v) {
            if (contains(triangle, v.vertex)) return false;

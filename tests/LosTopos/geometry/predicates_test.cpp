@@ -208,10 +208,10 @@ TEST(SegmentTriangle, AgreesWithHullOracleOnTheGrid) {
   for (int i = 0; i < 20000; ++i) {
     std::array<Vec3, 5> p;
     for (Vec3& x : p) x = random.grid_point(1 + i % 4);
-    const Contact contact = segment_triangle_intersect(p[0], p[1], p[2], p[3], p[4]);
+    const Crossing contact = segment_triangle_intersect(p[0], p[1], p[2], p[3], p[4]);
     ++counts[static_cast<std::size_t>(contact)];
-    EXPECT_EQ(contact != Contact::none, hulls_meet({p[0], p[1]}, {p[2], p[3], p[4]}));
-    EXPECT_EQ(contact == Contact::proper, crosses_properly(p));
+    EXPECT_EQ(contact != Crossing::none, hulls_meet({p[0], p[1]}, {p[2], p[3], p[4]}));
+    EXPECT_EQ(contact == Crossing::proper, crosses_properly(p));
     EXPECT_EQ(contact, segment_triangle_intersect(p[1], p[0], p[4], p[3], p[2]));
   }
   EXPECT_GT(*std::min_element(counts.begin(), counts.end()), 100);
@@ -238,9 +238,9 @@ TEST(Triangles, AgreeWithHullOracleOnTheGrid) {
     const Vec3 apart((i % 3), (i % 2), 0);
     for (Vec3& x : a) x = random.grid_point(2 + i % 3);
     for (Vec3& x : b) x = random.grid_point(2 + i % 3) + apart;
-    const Contact contact = triangles_intersect(a, b);
-    hits += contact != Contact::none ? 1 : 0;
-    EXPECT_EQ(contact != Contact::none, hulls_meet({a[0], a[1], a[2]}, {b[0], b[1], b[2]}));
+    const Crossing contact = triangles_intersect(a, b);
+    hits += contact != Crossing::none ? 1 : 0;
+    EXPECT_EQ(contact != Crossing::none, hulls_meet({a[0], a[1], a[2]}, {b[0], b[1], b[2]}));
     EXPECT_EQ(contact, triangles_intersect(b, a));
   }
   EXPECT_GT(hits, 500);
@@ -261,7 +261,7 @@ TEST(TrianglesSharingAVertex, AgreeWithConeOracleOnTheGrid) {
     cones.add(p[1] - shared);
     cones.add(shared - p[2]);
     cones.add(shared - p[3]);
-    const bool meet = triangles_intersect_sharing_vertex(shared, p[0], p[1], p[2], p[3]) != Contact::none;
+    const bool meet = triangles_intersect_sharing_vertex(shared, p[0], p[1], p[2], p[3]) != Crossing::none;
     hits += meet ? 1 : 0;
     EXPECT_EQ(meet, cones.holds_origin());
   }
@@ -273,16 +273,16 @@ TEST(SegmentTriangle, NamedCases) {
   const Vec3 b(1, 0, 0);
   const Vec3 c(0, 1, 0);
   const auto contact = [&](const Vec3& s0, const Vec3& s1) { return segment_triangle_intersect(s0, s1, a, b, c); };
-  EXPECT_EQ(contact({0.25, 0.25, -1}, {0.25, 0.25, 1}), Contact::proper);
-  EXPECT_EQ(contact({0.25, 0.25, 0}, {0.25, 0.25, 1}), Contact::touching) << "an end on the face";
-  EXPECT_EQ(contact({0.5, 0, -1}, {0.5, 0, 1}), Contact::touching) << "through an edge";
-  EXPECT_EQ(contact({0, 0, -1}, {0, 0, 1}), Contact::touching) << "through a corner";
-  EXPECT_EQ(contact({-1, 0.25, 0}, {2, 0.25, 0}), Contact::touching) << "in the plane, across";
-  EXPECT_EQ(contact({0.1, 0.1, 0}, {0.2, 0.2, 0}), Contact::touching) << "in the plane, inside";
-  EXPECT_EQ(contact({-1, 2, 0}, {2, 2, 0}), Contact::none) << "in the plane, outside";
-  EXPECT_EQ(contact({0.25, 0.25, std::numeric_limits<double>::denorm_min()}, {0.25, 0.25, 1}), Contact::none);
-  EXPECT_EQ(contact({-std::numeric_limits<double>::denorm_min(), 0.25, -1}, {0, 0.25, 1}), Contact::none);
-  EXPECT_EQ(contact(a, a), Contact::touching) << "a point";
+  EXPECT_EQ(contact({0.25, 0.25, -1}, {0.25, 0.25, 1}), Crossing::proper);
+  EXPECT_EQ(contact({0.25, 0.25, 0}, {0.25, 0.25, 1}), Crossing::touching) << "an end on the face";
+  EXPECT_EQ(contact({0.5, 0, -1}, {0.5, 0, 1}), Crossing::touching) << "through an edge";
+  EXPECT_EQ(contact({0, 0, -1}, {0, 0, 1}), Crossing::touching) << "through a corner";
+  EXPECT_EQ(contact({-1, 0.25, 0}, {2, 0.25, 0}), Crossing::touching) << "in the plane, across";
+  EXPECT_EQ(contact({0.1, 0.1, 0}, {0.2, 0.2, 0}), Crossing::touching) << "in the plane, inside";
+  EXPECT_EQ(contact({-1, 2, 0}, {2, 2, 0}), Crossing::none) << "in the plane, outside";
+  EXPECT_EQ(contact({0.25, 0.25, std::numeric_limits<double>::denorm_min()}, {0.25, 0.25, 1}), Crossing::none);
+  EXPECT_EQ(contact({-std::numeric_limits<double>::denorm_min(), 0.25, -1}, {0, 0.25, 1}), Crossing::none);
+  EXPECT_EQ(contact(a, a), Crossing::touching) << "a point";
 }
 
 TEST(CoplanarOverlap, NamedCases) {

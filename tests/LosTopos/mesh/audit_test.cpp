@@ -225,7 +225,7 @@ TEST(AuditIntersection, AgreesWithAllPairsOnACrumpledSphere) {
       const auto& ends = mesh.vertices(e);
       if (std::ranges::count(v, ends[0]) + std::ranges::count(v, ends[1]) > 0) continue;
       if (segment_triangle_intersect(mesh.position(ends[0]), mesh.position(ends[1]), mesh.position(v[0]),
-                                     mesh.position(v[1]), mesh.position(v[2])) != Contact::none)
+                                     mesh.position(v[1]), mesh.position(v[2])) != Crossing::none)
         ++crossings;
     }
   ASSERT_GT(crossings, 10U);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "LosTopos/error.h"
 #include "LosTopos/run/run.h"
 
@@ -39,11 +41,9 @@ class FakeMotion final : public Motion {
     return {{"metrics.csv", "step,time", 2,
              [this] { return std::to_string(steps_) + "," + std::to_string(time()) + "\n"; }}};
   }
-  std::optional<nlohmann::json> checkpoint() const override {
-    if (!saved) return {};
-    return nlohmann::json{{"steps", steps_}};
-  }
-  nlohmann::ordered_json summary() const override { return {{"height", steps_}}; }
+  bool resumable() const override { return saved; }
+  void save(nlohmann::json& checkpoint) const override { checkpoint["steps"] = steps_; }
+  void summarize(nlohmann::ordered_json& run) const override { run["height"] = steps_; }
 
   long fails_at = -1, bad_input_at = -1;
   bool tables_fail = false, saved = true;

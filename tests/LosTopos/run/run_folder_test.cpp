@@ -24,7 +24,7 @@ Output output_in(const fs::path& folder) {
   output.checkpoint_every = 4;
   output.vtp = true;
   output.checkpoint = {"fake", 1};
-  output.description = {{"scene", "fake"}};
+  output.describe = [](nlohmann::ordered_json& run) { run["scene"] = "fake"; };
   return output;
 }
 

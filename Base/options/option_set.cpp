@@ -91,6 +91,11 @@ void OptionSet::set_default(std::string_view key, const OptionValue& value) {
   entries_[place].value = convert_option(value, specs_[place].default_value);
 }
 
+void OptionSet::unset(std::string_view key) {
+  const std::size_t place = place_of(key, "");
+  entries_[place] = {specs_[place].default_value, false};
+}
+
 void OptionSet::set_assignment(std::string_view assignment, std::string_view where) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0)

@@ -26,6 +26,8 @@ class OptionSet {
   void append(std::string_view key, std::string_view words, std::string_view where);
   /// Replaces a default: `is_set` stays false.
   void set_default(std::string_view key, const OptionValue& value);
+  /// As if it had never been set; its value is the specification's default.
+  void unset(std::string_view key);
   /// Reads "key=value" or "key+=word" as after --set.
   void set_assignment(std::string_view assignment, std::string_view where);
 

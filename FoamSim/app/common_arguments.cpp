@@ -1,5 +1,7 @@
 #include "FoamSim/app/common_arguments.h"
 
+#include "FoamSim/scenes/methods.h"
+
 namespace foamsim::app {
 
 void add_threads(base::Command& command, int& threads) {
@@ -21,8 +23,8 @@ void add_output(base::Command& command, std::string& out, bool& force, const std
 void add_areas(base::Command& command, std::vector<std::string>& areas, const Catalogue& catalogue) {
   command.add({.name = "--areas",
                .target = &areas,
-               .help = "strategies, separated by commas",
-               .names = catalogue.sheet.areas.names()});
+               .help = "area strategies, or conservative, separated by commas",
+               .names = method_names(catalogue)});
 }
 
 }  // namespace foamsim::app

@@ -46,6 +46,8 @@ void print_effects(const Catalogue& catalogue) {
   print_models(catalogue.sheet.pressures);
   std::printf("\nvelocity sums (--set velocity=NAME):\n");
   print_models(catalogue.sheet.velocities);
+  std::printf("\ndynamics (--set dynamics=NAME):\n");
+  print_models(catalogue.dynamics);
   std::printf("\nintegrators (--set integrator=NAME):\n");
   print_models(catalogue.integrators);
   std::printf("\nconstraints (--set constraints=a,b; empty: none):\n");

@@ -41,8 +41,8 @@ base::Manual manual(const Catalogue& catalogue) {
       "file of the reference program.",
       {section_of("scenes", catalogue.scenes), section_of("effects", catalogue.effects),
        section_of("area strategies", catalogue.sheet.areas), section_of("pressure schemes", catalogue.sheet.pressures),
-       section_of("velocity sums", catalogue.sheet.velocities), section_of("integrators", catalogue.integrators),
-       section_of("constraints", catalogue.constraints),
+       section_of("velocity sums", catalogue.sheet.velocities), section_of("dynamics", catalogue.dynamics),
+       section_of("integrators", catalogue.integrators), section_of("constraints", catalogue.constraints),
        Section{"option keys (--set key=value, or in a .toml file)", base::manual_entries(all_option_specs(catalogue))},
        exit_status(), files(), Section{"environment", {{"NO_COLOR", "when set, messages are not coloured"}}}}};
 }

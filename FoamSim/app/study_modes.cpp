@@ -16,6 +16,7 @@ namespace {
 struct Arguments {
   std::string out = "out/modes";
   std::vector<long> modes{2, 3}, subdivisions{2, 3, 4};
+  std::string dynamics = "vortex-sheet";
   bool force = false;
   int threads = 0;
 };
@@ -44,6 +45,7 @@ int study_modes(const Arguments& arguments, const Program& program) {
     for (long mode : arguments.modes) {
       ModeOptions options;
       options.mode = mode;
+      options.conservative = arguments.dynamics == "conservative";
       results.push_back(study_mode(options, arguments.subdivisions, [&](const ModeProgress&) {
         if (InterruptGuard::interrupted()) throw Interrupted();
       }));
@@ -69,6 +71,11 @@ void add_study_modes(base::Command& study, const Program& program) {
   command.add({.name = "--subdivisions",
                .target = &arguments->subdivisions,
                .help = "subdivisions of the icosahedron, ascending, separated by commas"});
+  command.add({.name = "--dynamics",
+               .target = &arguments->dynamics,
+               .help = "vortex-sheet or conservative",
+               .names = {"vortex-sheet", "conservative"},
+               .names_only = true});
   add_output(command, arguments->out, arguments->force, "the tables and the plot");
   add_threads(command, arguments->threads);
   command.set_action([arguments, &program] { return study_modes(*arguments, program); });

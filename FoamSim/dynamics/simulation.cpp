@@ -4,8 +4,6 @@
 
 #include "Base/error.h"
 #include "Base/timing/stopwatch.h"
-#include "FoamSim/sheet/energy.h"
-#include "FoamSim/sheet/region_constants.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -19,8 +17,7 @@ namespace {
 void require_usable(const SurfaceMesh& mesh, const SimulationOptions& options, const SimulationParts& parts) {
   if (mesh.triangle_count() == 0) throw base::InputError("the start mesh has no triangles; a film needs at least one");
   if (!(options.dt > 0)) throw base::InputError("dt has to be > 0");
-  if (parts.velocity == nullptr || parts.integrator == nullptr)
-    throw base::InputError("a simulation needs a velocity sum and an integrator");
+  if (parts.dynamics == nullptr) throw base::InputError("a simulation needs dynamics");
   if (options.delta < 0 || options.resolution < 0) throw base::InputError("delta and resolution have to be >= 0");
 }
 
@@ -43,11 +40,11 @@ Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, Simul
       tracker_(make_tracker(std::move(mesh), options, parts)),
       circulation_(std::make_unique<CirculationField>(tracker_->mesh())),
       parts_(std::move(parts)),
-      velocity_(std::move(parts_.velocity)),
-      resolution_(tracker_->options().resolution),
-      delta_(options.delta > 0 ? options.delta : 0.75 * resolution_) {
+      resolution_(tracker_->options().resolution) {
+  delta_ = parts_.dynamics->attach(tracker_->mesh(), {resolution_, options.delta});
   for (const auto& effect : parts_.effects) effect->attach(tracker_->mesh());
   for (const auto& constraint : parts_.constraints) constraint->attach(*tracker_);
+  if (parts_.dynamics->remeshes_start() && options_.tracker.remeshing) tracker_->remesh();
   geometry_.update(tracker_->mesh(), solid());
 }
 
@@ -71,80 +68,16 @@ StepReport Simulation::step() {
 
 StepReport Simulation::make_step() {
   StepReport report;
-  const long evaluations_before = velocity_.evaluations();
-  const std::vector<double> before = gather_circulation();
-  change_circulation(report.times);
-  {
-    const base::TimedScope timed(report.times, "velocity");
-    const std::vector<double> after = gather_circulation();
-    const auto positions = tracker_->mesh().positions();
-    velocities_.resize(positions.size());
-    velocity_.evaluate(sheet_, positions, positions, delta_, velocities_);
-    measure(before, after, report);
-  }
-  predict(report);
+  const EffectStep step = effect_step();
+  StepScope scope(step, *circulation_, parts_.effects, parts_.constraints, report);
+  parts_.dynamics->advance(scope, predicted_);
   track(report);
   {
     const base::TimedScope timed(report.times, "geometry");
     geometry_.update(tracker_->mesh(), solid());
   }
   ++steps_;
-  report.velocity_evaluations = velocity_.evaluations() - evaluations_before;
   return report;
-}
-
-// Effects first, then constraints, which may want to know what the air would do.
-void Simulation::change_circulation(base::StageTimes& times) {
-  const EffectStep step = effect_step();
-  for (const auto& effect : parts_.effects) {
-    const base::TimedScope timed(times, effect->name());
-    effect->update_circulation(step, *circulation_);
-  }
-  const SheetVelocities velocities = [this](std::span<Vec3> velocity) {
-    gather_sheet(tracker_->mesh(), *circulation_, sheet_, solid());
-    velocity_.evaluate(sheet_, tracker_->mesh().positions(), tracker_->mesh().positions(), delta_, velocity);
-  };
-  for (const auto& constraint : parts_.constraints) {
-    const base::TimedScope timed(times, constraint->name());
-    constraint->correct_circulation(step, *circulation_, velocities);
-  }
-}
-
-// From the sheet's velocities at the start, which are known, to where the vertices are to go.
-void Simulation::predict(StepReport& report) {
-  const EffectStep step = effect_step();
-  const auto positions = tracker_->mesh().positions();
-  add_effects_velocity({step, step.time, positions}, velocities_, report.times);
-  const StageMotion motion{
-      .velocity =
-          [&](double after, std::span<const Vec3> x, std::span<Vec3> u) {
-            {
-              const base::TimedScope timed(report.times, "velocity");
-              velocity_.evaluate(sheet_, x, x, delta_, u);
-            }
-            add_effects_velocity({step, step.time + after, x}, u, report.times);
-          },
-      .correct = [&](double after, std::span<Vec3> x) { correct_positions(step.time + after, x, report.times); }};
-  parts_.integrator->advance(options_.dt, positions, velocities_, motion, predicted_);
-}
-
-void Simulation::add_effects_velocity(const Stage& stage, std::span<Vec3> velocity, base::StageTimes& times) {
-  for (const auto& effect : parts_.effects) {
-    const base::TimedScope timed(times, effect->name());
-    effect->add_velocity(stage, velocity);
-  }
-}
-
-void Simulation::correct_positions(double time, std::span<Vec3> positions, base::StageTimes& times) {
-  const EffectStep step = effect_step();
-  for (const auto& effect : parts_.effects) {
-    const base::TimedScope timed(times, effect->name());
-    effect->move_vertices({step, time, positions}, positions);
-  }
-  for (const auto& constraint : parts_.constraints) {
-    const base::TimedScope timed(times, constraint->name());
-    constraint->prescribe({step, time, positions}, positions);
-  }
 }
 
 void Simulation::track(StepReport& report) {
@@ -152,6 +85,7 @@ void Simulation::track(StepReport& report) {
   report.times.add("move", done.move_seconds);
   if (options_.tracker.topology.enabled) report.times.add("topology", done.topology_seconds);
   if (options_.tracker.remeshing) report.times.add("remesh", done.remesh_seconds);
+  settle(report);
   report.motion_fraction = done.move.fraction;
   report.move = done.move.statistics;
   topology_totals_.add(done.topology);
@@ -159,24 +93,23 @@ void Simulation::track(StepReport& report) {
   report.remesh = done.remesh;
 }
 
-EffectStep Simulation::effect_step() const {
-  return {tracker_->mesh(), geometry_, time(), options_.dt, held()};
-}
-
-std::vector<double> Simulation::gather_circulation() {
-  gather_sheet(tracker_->mesh(), *circulation_, sheet_, solid());
-  return circulation_without_region_constants(tracker_->mesh(), sheet_, tracker_->mesh().positions());
-}
-
-void Simulation::measure(std::span<const double> before, std::span<const double> after, StepReport& report) const {
+// What effects still have to say of where the vertices are; the tracker sees to it that nothing intersects.
+void Simulation::settle(StepReport& report) {
   const auto positions = tracker_->mesh().positions();
-  report.kinetic_energy = kinetic_energy(before, sheet_, positions, velocities_);
-  report.potential_energy = potential_energy();
-  std::vector<double> middle(before.size());
-  for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = (before[i] + after[i]) / 2;
-  const Impulse impulse = hydrodynamic_impulse(middle, sheet_, positions);
-  report.impulse = impulse.total;
-  report.impulse_scale = impulse.scale;
+  predicted_.assign(positions.begin(), positions.end());
+  const EffectStep step = effect_step();
+  bool changed = false;
+  for (const auto& effect : parts_.effects) {
+    const base::TimedScope timed(report.times, effect->name());
+    changed = effect->settle(step, predicted_) || changed;
+  }
+  if (!changed) return;
+  const base::TimedScope timed(report.times, "move");
+  tracker_->advance(predicted_);
+}
+
+EffectStep Simulation::effect_step() const {
+  return {tracker_->mesh(), geometry_, time(), options_.dt, held(), solid()};
 }
 
 double Simulation::potential_energy() const {

@@ -3,14 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "Base/timing/stage_times.h"
 #include "FoamSim/constraints/constraint.h"
-#include "FoamSim/dynamics/integrator.h"
+#include "FoamSim/dynamics/dynamics.h"
 #include "FoamSim/dynamics/simulation_state.h"
 #include "FoamSim/effects/effect.h"
 #include "FoamSim/sheet/circulation.h"
 #include "FoamSim/sheet/surface_geometry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "LosTopos/mesh/hold.h"
 #include "LosTopos/surface_tracker.h"
 
@@ -18,7 +16,7 @@ namespace foamsim {
 
 struct SimulationOptions {
   double dt = 0.01;       ///< length of a step, T, > 0
-  double delta = 0;       ///< Biot–Savart regularisation δ, L; 0: 0.75 h̄
+  double delta = 0;       ///< regularisation δ, L; 0: what the dynamics choose
   double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
   /// How the surface is moved and remeshed; its resolution is set to h̄. Nothing is remeshed unless it says so.
   lostopos::TrackerOptions tracker = {.remeshing = false};
@@ -28,33 +26,14 @@ struct SimulationOptions {
 struct SimulationParts {
   std::vector<std::unique_ptr<Effect>> effects = {};          ///< act in this order
   std::vector<std::unique_ptr<Constraint>> constraints = {};  ///< act after them, in this order
-  std::unique_ptr<BiotSavart> velocity = {};                  ///< not null
-  std::unique_ptr<Integrator> integrator = {};                ///< not null
+  std::unique_ptr<Dynamics> dynamics = {};                    ///< not null
 };
 
 /// h̄: options.resolution, or the mean over the mesh's edges where that is 0.
 double resolved_resolution(const SimulationOptions& options, const lostopos::SurfaceMesh& mesh);
 
-/// What one step did.
-struct StepReport {
-  base::StageTimes times;  ///< wall seconds by stage
-  /// Energies over air density (L⁵/T²) at the start of the step. Circulation is known half a step before (as the step
-  /// found it) and half a step after (as the effects left it); the kinetic energy is the bilinear form of the two,
-  /// −Σ Γ̄_before (u_after·n) area: like the start's positions second-order accurate in dt, and conserved as leap-frog
-  /// conserves it. It can fall below zero by O(dt²) where the air is almost at rest.
-  double kinetic_energy = 0;
-  double potential_energy = 0;
-  /// Hydrodynamic impulse at that instant (mean of before and after), L⁴/T.
-  lostopos::Vec3 impulse = lostopos::Vec3::Zero();
-  double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
-  long velocity_evaluations = 0;
-  double motion_fraction = 1;             ///< of the predicted motion that the tracker could do
-  lostopos::MoveStatistics move;          ///< collisions found and answered
-  lostopos::RemeshStatistics remesh;      ///< operations done and refused
-  lostopos::TopologyStatistics topology;  ///< films that joined, parted or vanished, and the events in order
-};
-
-/// Vortex-sheet dynamics of soap films (Da et al. 2015) on a tracked surface: docs/method.md "The step".
+/// Soap films on a tracked surface: what acts on them, how they move, and the surface that follows: docs/method.md "The
+/// step".
 class Simulation {
  public:
   /// Starts at rest (Γ = 0), at time 0. Values that wait in the mesh ("hold", "solid", "circulation") are taken. Throws
@@ -98,23 +77,15 @@ class Simulation {
  private:
   StepReport make_step();
   EffectStep effect_step() const;
-  void change_circulation(base::StageTimes& times);
-  void predict(StepReport& report);
-  void add_effects_velocity(const Stage& stage, std::span<lostopos::Vec3> velocity, base::StageTimes& times);
-  void correct_positions(double time, std::span<lostopos::Vec3> positions, base::StageTimes& times);
   void track(StepReport& report);
-  // Γ̄ of the sheet's triangles as they are now, without region constants.
-  std::vector<double> gather_circulation();
-  void measure(std::span<const double> before, std::span<const double> after, StepReport& report) const;
+  void settle(StepReport& report);
 
   SimulationOptions options_;
   std::unique_ptr<lostopos::SurfaceTracker> tracker_;
   std::unique_ptr<CirculationField> circulation_;
   SimulationParts parts_;
-  SheetVelocity velocity_;
   SurfaceGeometry geometry_;
-  std::vector<SheetTriangle> sheet_;
-  std::vector<lostopos::Vec3> velocities_, predicted_;
+  std::vector<lostopos::Vec3> predicted_;
   double resolution_ = 0, delta_ = 0;
   long steps_ = 0;
   TopologyTotals topology_totals_;

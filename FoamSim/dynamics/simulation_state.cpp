@@ -76,8 +76,9 @@ void Simulation::save(SimulationState& state) const {
   state.steps = steps_;
   state.topology = topology_totals_;
   tracker_->save(state.tracker);
-  state.models = std::make_shared<const json>(
-      json{{"effects", remembered(parts_.effects)}, {"constraints", remembered(parts_.constraints)}});
+  state.models = std::make_shared<const json>(json{{"effects", remembered(parts_.effects)},
+                                                   {"constraints", remembered(parts_.constraints)},
+                                                   {"dynamics", parts_.dynamics->state()}});
 }
 
 void Simulation::restore(const SimulationState& state) {
@@ -85,6 +86,7 @@ void Simulation::restore(const SimulationState& state) {
   const json& models = state.models ? *state.models : none;
   remind(parts_.effects, models.value("effects", none), "effect");
   remind(parts_.constraints, models.value("constraints", none), "constraint");
+  parts_.dynamics->restore(models.value("dynamics", json()));
   tracker_->restore(state.tracker);
   steps_ = state.steps;
   topology_totals_ = state.topology;

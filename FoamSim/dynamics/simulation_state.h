@@ -14,7 +14,7 @@ struct SimulationState {
   long steps = 0;
   TopologyTotals topology;                       ///< counts since the start of the run
   lostopos::SurfaceTracker::State tracker;       ///< the surface with every named attribute, circulation among them
-  std::shared_ptr<const nlohmann::json> models;  ///< by kind and name: what effects and constraints remember
+  std::shared_ptr<const nlohmann::json> models;  ///< by kind and name: what effects, constraints and dynamics remember
 };
 
 /// For checkpoints; binary arrays inside, so that CBOR is the format to write it in.

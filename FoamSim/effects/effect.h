@@ -25,15 +25,29 @@ class Effect {
 
   /// Changes Γ over step.dt. Called once a step, in the order of the registry, before velocities are evaluated.
   virtual void update_circulation(const EffectStep& /*step*/, CirculationField& /*circulation*/) {}
+  /// Adds the gradient of its potential energy with respect to the vertices' positions (L⁴/T², one a vertex slot) at
+  /// stage.positions. Only for dynamics that take forces (`conservative`); there it does not change Γ for them.
+  virtual void add_force(const Stage& /*stage*/, std::span<lostopos::Vec3> /*force*/) {}
   /// Adds to the velocities (L/T, one a vertex slot) at a stage of the integrator, those that the sheet induces there:
   /// once a step for euler, four times for rk4.
   virtual void add_velocity(const Stage& /*stage*/, std::span<lostopos::Vec3> /*velocity*/) {}
+  /// Told of what all effects together have added to the velocities at a stage, where that is anything.
+  virtual void velocity_added(const Stage& /*stage*/, std::span<const lostopos::Vec3> /*added*/) {}
   /// Changes positions (L, one a vertex slot) that the integrator has arrived at: those of its stages, and those at the
   /// end of the step (stage.time is then time + dt); stage.positions are these positions. Held vertices go where their
   /// constraint says whatever this does.
   virtual void move_vertices(const Stage& /*stage*/, std::span<lostopos::Vec3> /*positions*/) {}
+  /// After the tracker has moved, parted, joined and remeshed the surface: puts the vertices (L, one a slot) where it
+  /// wants them instead, and returns whether it has changed any. `step` has the mesh as it is then; its geometry is of
+  /// before.
+  virtual bool settle(const EffectStep& /*step*/, std::span<lostopos::Vec3> /*positions*/) { return false; }
   /// Potential energy over air density (L⁵/T²) that it has given to the surface as it is now.
   virtual double potential_energy(const SurfaceGeometry& /*geometry*/) const { return 0.0; }
+  /// The same of the surface with its vertices at stage.positions.
+  virtual double potential_energy(const Stage& /*stage*/) const { return 0.0; }
+
+  /// Energy of a film over density and area that it gives to every film (L³/T²): what makes short waves fast.
+  virtual double tension() const { return 0.0; }
 
   /// What it has to remember from step to step besides attributes of the mesh; null: nothing. Kept in checkpoints, and
   /// put back when a step fails.

@@ -14,6 +14,7 @@ struct EffectStep {
   double time;                                ///< at the start of the step, T
   double dt;                                  ///< T
   std::span<const lostopos::Hold> held = {};  ///< by vertex slot, what a wire or frame holds; empty: nothing
+  std::span<const std::uint8_t> solid = {};   ///< by triangle slot, not zero for those of a solid; empty: none
 
   /// Whether all of v is held.
   bool is_held(lostopos::Vertex v) const { return v.index() < held.size() && lostopos::is_held(held[v.index()]); }

@@ -6,6 +6,7 @@
 #include "FoamSim/effects/diffusion.h"
 #include "FoamSim/effects/growth.h"
 #include "FoamSim/effects/surface_tension.h"
+#include "FoamSim/effects/volumes.h"
 
 namespace foamsim {
 namespace {
@@ -18,6 +19,8 @@ base::OptionSpec damping_option() {
 }
 
 Made make_surface_tension(const EffectSetup& setup) {
+  if (setup.options.word("dynamics") != "vortex-sheet")
+    return std::make_unique<SurfaceTension>(setup.options.number("sigma"), nullptr);
   const PressureEntry& pressures = setup.sheet.pressures.find(setup.options.word("pressure"));
   return std::make_unique<SurfaceTension>(setup.options.number("sigma"),
                                           pressures.make({setup.options, setup.resolution, setup.sheet.areas}));
@@ -42,6 +45,10 @@ base::Registry<EffectEntry> make_entries() {
         [](const EffectSetup& setup) -> Made {
           return std::make_unique<Diffusion>(setup.options.number("diffusion"));
         }},
+       {"volumes",
+        "bubbles keep their volumes to rounding, but for what other effects change",
+        {},
+        [](const EffectSetup&) -> Made { return std::make_unique<Volumes>(); }},
        {"growth",
         "bubbles grow: films towards the air move along their normals until bubbles meet and press into a foam",
         {base::non_negative_number("growth", 0.5, "speed of the films, L/T")},

@@ -12,12 +12,16 @@ namespace foamsim {
 /// is the wire's.
 class SurfaceTension final : public Effect {
  public:
-  /// `sigma`: tension of one film side over density, L³/T², ≥ 0.
+  /// `sigma`: tension of one film side over density, L³/T², ≥ 0. `scheme`: null where the dynamics take forces.
   SurfaceTension(double sigma, std::unique_ptr<PressureScheme> scheme) : sigma_(sigma), scheme_(std::move(scheme)) {}
   std::string_view name() const override { return "surface_tension"; }
   void update_circulation(const EffectStep& step, CirculationField& circulation) override;
+  /// 4σ times the exact gradient of the triangles' areas.
+  void add_force(const Stage& stage, std::span<lostopos::Vec3> force) override;
   /// 4σ times the total area: the jump of the potential is 2Γ, so both sides of a film together pull with 4σ.
   double potential_energy(const SurfaceGeometry& geometry) const override { return 4 * sigma_ * geometry.total_area(); }
+  double potential_energy(const Stage& stage) const override;
+  double tension() const override { return 4 * sigma_; }
 
  private:
   double sigma_;

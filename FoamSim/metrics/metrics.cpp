@@ -32,6 +32,11 @@ void take_tracker_counts(const StepReport& report, Metrics& m) {
   m.times = report.times;
   m.move = report.move;
   m.remesh = report.remesh;
+  m.stable_dt = report.stable_dt;
+  m.substeps = report.substeps;
+  m.correction = report.correction;
+  m.tracker_surface_energy = report.tracker_surface_energy;
+  m.tracker_kinetic_energy = report.tracker_kinetic_energy;
   m.motion_fraction = report.motion_fraction;
   m.splits = report.remesh[Operation::split].done;
   m.collapses = report.remesh[Operation::collapse].done;

@@ -28,7 +28,11 @@ struct Metrics {
   double topology_seconds = 0;          ///< wall time of the step's topology passes
   double step_seconds = 0;              ///< wall time of the step
   long velocity_evaluations = 0;        ///< in the step
-  double motion_fraction = 1;           ///< of the predicted motion that the tracker could do
+  double stable_dt = 0;                 ///< of the conservative scheme, see StepReport, T
+  long substeps = 1;
+  double correction = 0;
+  double tracker_surface_energy = 0, tracker_kinetic_energy = 0;  ///< L⁵/T²
+  double motion_fraction = 1;                                     ///< of the predicted motion that the tracker could do
   /// In the step: remeshing operations done, refused in all, collisions answered.
   std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
   std::size_t collisions = 0, impact_zones = 0;

@@ -66,6 +66,11 @@ const std::vector<Column>& columns() {
       {"cancelled_triangles", [](const Metrics& m) { return cell_text(m.topology_totals.cancelled_triangles); }},
       {"incomplete_vertices", [](const Metrics& m) { return cell_text(m.incomplete_vertices); }},
       {"topology_seconds", [](const Metrics& m) { return cell_text(m.topology_seconds); }},
+      {"stable_dt", [](const Metrics& m) { return cell_text(m.stable_dt); }},
+      {"substeps", [](const Metrics& m) { return cell_text(m.substeps); }},
+      {"correction", [](const Metrics& m) { return cell_text(m.correction); }},
+      {"tracker_surface_energy", [](const Metrics& m) { return cell_text(m.tracker_surface_energy); }},
+      {"tracker_kinetic_energy", [](const Metrics& m) { return cell_text(m.tracker_kinetic_energy); }},
   };
   return all;
 }

@@ -4,6 +4,7 @@
 #include "Base/io/atomic_file.h"
 #include "Base/io/csv_table.h"
 #include "Base/options/option_value.h"
+#include "FoamSim/scenes/methods.h"
 
 namespace foamsim {
 namespace {
@@ -73,8 +74,9 @@ std::vector<ComparedRun> compare_areas(const Scene& scene, const std::vector<std
   std::vector<Scene> scenes;
   for (const std::string& area : areas) {
     scenes.push_back(scene);
-    scenes.back().options.set("area", area, "--areas");
-    validate(scenes.back(), areas);
+    require_method(*scene.catalogue, area);
+    choose_method(scenes.back().options, area, "--areas");
+    validate(scenes.back(), also_used_by(areas));
   }
   if (!settings.force && std::filesystem::exists(settings.out / "compare.csv"))
     throw base::InputError(settings.out.string() +

@@ -4,6 +4,7 @@
 
 #include "FoamSim/constraints/registry.h"
 #include "FoamSim/dynamics/integrator.h"
+#include "FoamSim/dynamics/registry.h"
 #include "FoamSim/effects/registry.h"
 #include "FoamSim/scenes/scene_registry.h"
 #include "FoamSim/sheet/sheet_models.h"
@@ -20,6 +21,7 @@ struct Catalogue {
   base::Registry<EffectEntry> effects = built_in_effects();
   base::Registry<ConstraintEntry> constraints = foamsim::constraints();
   base::Registry<IntegratorEntry> integrators = foamsim::integrators();
+  base::Registry<DynamicsEntry> dynamics = dynamics_schemes();
   base::Registry<SceneEntry> scenes = built_in_scenes();
 };
 

@@ -25,7 +25,8 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       base::positive_number("dt", 0.01, "length of a step, T"),
       base::non_negative_number("time", 4, "simulated time, T"),
       base::non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
-      base::non_negative_number("delta", 0, "Biot-Savart regularisation, L; 0: 0.75 resolution"),
+      base::non_negative_number("delta", 0, "regularisation, L; 0: 0.75 resolution, 0.5 for conservative"),
+      name_of("dynamics", std::string("vortex-sheet"), "how films move", catalogue.dynamics),
       name_of("integrator", std::string("euler"), "how positions are advanced", catalogue.integrators),
       name_of("velocity", std::string("direct"), "how velocities are summed", catalogue.sheet.velocities),
       name_of("effects", std::vector<std::string>{"surface_tension", "diffusion"},
@@ -40,7 +41,8 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
       base::whole_number("seed", 0, 0, "seed of everything random"),
   };
-  std::ranges::find(specs, "pressure", &base::OptionSpec::key)->owner = {"effect", "surface_tension"};
+  for (const char* key : {"integrator", "velocity", "pressure"})
+    std::ranges::find(specs, key, &base::OptionSpec::key)->owner = {"dynamics", "vortex-sheet"};
   std::ranges::find(specs, "area", &base::OptionSpec::key)->owner = {"pressure scheme", "edge_angle"};
   return specs;
 }
@@ -61,19 +63,31 @@ bool contains(std::span<const std::string> words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
+// What acts on the films: with the conservative dynamics those that are not asked for leave out `diffusion`, which can
+// win energy there, and correct volumes.
+std::vector<std::string> effects_of(const base::OptionSet& options) {
+  std::vector<std::string> names = options.words("effects");
+  if (options.is_set("effects") || options.word("dynamics") != "conservative") return names;
+  std::erase(names, "diffusion");
+  names.emplace_back("volumes");
+  return names;
+}
+
 // Whether the scene uses the owner of an option.
 bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
           std::span<const std::string> also_used) {
   const auto& [kind, name] = owner;
-  if (kind == "effect") return contains(options.words("effects"), name);
+  const auto vortex_sheet = [&options] { return options.word("dynamics") == "vortex-sheet"; };
+  if (contains(also_used, name)) return true;
+  if (kind == "effect") return contains(effects_of(options), name);
+  if (kind == "dynamics") return options.word("dynamics") == name;
   if (kind == "constraint") return contains(options.words("constraints"), name);
-  if (kind == "velocity sum") return options.word("velocity") == name;
-  if (kind == "integrator") return options.word("integrator") == name;
+  if (kind == "velocity sum") return vortex_sheet() && options.word("velocity") == name;
+  if (kind == "integrator") return vortex_sheet() && options.word("integrator") == name;
   if (kind == "pressure scheme")
-    return contains(options.words("effects"), "surface_tension") && options.word("pressure") == name;
+    return vortex_sheet() && contains(effects_of(options), "surface_tension") && options.word("pressure") == name;
   if (kind == "area strategy")
-    return uses(options, {"pressure scheme", "edge_angle"}, also_used) &&
-           (options.word("area") == name || contains(also_used, name));
+    return uses(options, {"pressure scheme", "edge_angle"}, also_used) && options.word("area") == name;
   return true;
 }
 
@@ -125,6 +139,22 @@ void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simu
   simulation.circulation().match(simulation.mesh());
 }
 
+// What the conservative dynamics cannot have, and why.
+void refuse_for_conservative(const base::OptionSet& options) {
+  if (options.word("dynamics") != "conservative") return;
+  if (contains(effects_of(options), "diffusion"))
+    throw base::InputError(
+        "effect 'diffusion' smooths circulation pair by pair, which can win energy, and is not for "
+        "dynamics=conservative; "
+        "use --set viscosity=ETA (surface viscosity, L^3/T) in its place");
+  const double delta = options.number("delta"), resolution = options.number("resolution");
+  if (delta > 0 && resolution > 0 && delta < 0.1 * resolution)
+    throw base::InputError("delta " + base::to_text(delta) + " is below a tenth of the resolution " +
+                           base::to_text(resolution) +
+                           ", where slivers make the kinetic energy of dynamics=conservative as good as singular; "
+                           "leave it out (half the resolution) or give at least that tenth");
+}
+
 }  // namespace
 
 std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue) {
@@ -136,6 +166,7 @@ std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue) {
   append_options(specs, catalogue.sheet.areas);
   append_options(specs, catalogue.sheet.velocities);
   append_options(specs, catalogue.integrators);
+  append_options(specs, catalogue.dynamics);
   return specs;
 }
 
@@ -183,10 +214,15 @@ Scene load_scene(const std::string& what, std::shared_ptr<const Catalogue> catal
 }
 
 void validate(const Scene& scene, std::span<const std::string> also_used) {
+  refuse_for_conservative(scene.options);
   for (const base::OptionSpec& spec : scene.options.specs()) {
     const auto& [kind, name] = spec.owner;
     if (kind.empty() || !scene.options.is_set(spec.key) || uses(scene.options, spec.owner, also_used)) continue;
-    const std::string help = kind == "effect" ? "; add it with --set effects+=" + name : "";
+    std::string help = kind == "effect" ? "; add it with --set effects+=" + name : "";
+    if (scene.options.word("dynamics") == "conservative" && kind != "effect") {
+      help = "; dynamics=conservative has exact forces and the velocities that belong to them";
+      if (spec.key == "integrator") help = "; dynamics=conservative has --set stepping=kick-drift, midpoint or rk4";
+    }
     throw base::InputError("option '" + spec.key + "' belongs to the " + kind + " '" + name +
                            "', which this scene does not use" + help);
   }
@@ -197,20 +233,24 @@ SurfaceMesh build_surface(const Scene& scene) {
 }
 
 SimulationOptions simulation_options(const base::OptionSet& options) {
+  lostopos::TrackerOptions tracker = lostopos::tracker_options(options);
+  // The scheme keeps volumes: remeshing must not be what changes them.
+  if (options.word("dynamics") == "conservative" && !options.is_set("remeshing.max_volume_change"))
+    tracker.remesh.max_volume_change = 0.002;
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
-          .tracker = lostopos::tracker_options(options)};
+          .tracker = tracker};
 }
 
 SimulationParts simulation_parts(const Scene& scene, double resolution, const std::vector<Vertex>& edges) {
   const base::OptionSet& options = scene.options;
   const Catalogue& catalogue = *scene.catalogue;
   SimulationParts parts{
-      .effects = make_effects(catalogue.effects, options.words("effects"), {options, resolution, catalogue.sheet}),
+      .effects = make_effects(catalogue.effects, effects_of(options), {options, resolution, catalogue.sheet}),
       .constraints = {},
-      .velocity = catalogue.sheet.velocities.find(options.word("velocity")).make({options}),
-      .integrator = catalogue.integrators.find(options.word("integrator")).make({options})};
+      .dynamics =
+          catalogue.dynamics.find(options.word("dynamics")).make({options, catalogue.sheet, catalogue.integrators})};
   for (const ConstraintEntry& entry : catalogue.constraints)
     if (contains(options.words("constraints"), entry.name))
       parts.constraints.push_back(entry.make({options, resolution, edges}));

@@ -1,5 +1,6 @@
 #include "film_parts.h"
 
+#include "FoamSim/dynamics/vortex_sheet.h"
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/sheet/pressure/edge_angle.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
@@ -14,8 +15,7 @@ std::unique_ptr<Effect> tension(double sigma, std::string_view area) {
 SimulationParts parts(std::vector<std::unique_ptr<Effect>> effects, std::string_view integrator) {
   return {.effects = std::move(effects),
           .constraints = {},
-          .velocity = make_biot_savart("direct"),
-          .integrator = make_integrator(integrator)};
+          .dynamics = std::make_unique<VortexSheet>(make_biot_savart("direct"), make_integrator(integrator))};
 }
 
 SimulationParts parts(std::unique_ptr<Effect> effect, std::string_view integrator) {

@@ -8,8 +8,8 @@
 #include "Base/timing/stopwatch.h"
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/metrics/rest_detector.h"
+#include "FoamSim/scenes/methods.h"
 #include "FoamSim/scenes/scene.h"
-#include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "FoamSim/studies/require.h"
 #include "LosTopos/error.h"
 
@@ -44,8 +44,11 @@ Scene scene_of(const Combination& c, const AccuracyOptions& o) {
   Scene scene = built_in_scene("doublebubble");
   const char* where = "accuracy study";
   scene.options.set("n", c.n, where);
-  scene.options.set("area", c.area, where);
-  scene.options.set("integrator", c.integrator, where);
+  choose_method(scene.options, c.area, where);
+  if (c.area == conservative_method)
+    scene.options.set("stepping", std::string(c.integrator == "rk4" ? "rk4" : "kick-drift"), where);
+  else
+    scene.options.set("integrator", c.integrator, where);
   scene.options.set("dt", c.dt, where);
   scene.options.set("remeshing.enabled", o.remeshing, where);
   scene.options.append("effects", "damping", where);
@@ -145,7 +148,7 @@ class AccuracyRun {
 void validate(const AccuracyOptions& o) {
   require(!o.areas.empty() && !o.sizes.empty() && !o.integrators.empty() && !o.steps_of_time.empty(),
           "accuracy study: one strategy, size, integrator and dt, or more of each, have to be given");
-  for (const std::string& area : o.areas) make_vertex_area(area, {});
+  for (const std::string& area : o.areas) require_method(*built_in_catalogue(), area);
   for (const std::string& integrator : o.integrators) integrators().find(integrator);
   for (long n : o.sizes) require(n >= 8 && n <= 192, "accuracy study: sizes have to be 8 to 192");
   for (double dt : o.steps_of_time)

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "Base/error.h"
+#include "FoamSim/dynamics/conservative.h"
 #include "FoamSim/dynamics/simulation.h"
+#include "FoamSim/dynamics/vortex_sheet.h"
 #include "FoamSim/effects/surface_tension.h"
 #include "FoamSim/scenes/shapes/solids.h"
 #include "FoamSim/sheet/pressure/edge_angle.h"
@@ -29,8 +31,14 @@ void check(const ModeOptions& o) {
   require(o.periods >= 1, "mode study: at least one period has to be measured");
 }
 
-SimulationParts tension_only(double sigma) {
-  SimulationParts parts{.velocity = make_biot_savart("direct"), .integrator = make_integrator("rk4")};
+SimulationParts tension_only(double sigma, bool conservative) {
+  if (conservative) {
+    SimulationParts parts{.dynamics = std::make_unique<Conservative>(
+                              ConservativeOptions{.stepping = Stepping::rk4, .tangential = getenv("TG") != nullptr})};
+    parts.effects.push_back(std::make_unique<SurfaceTension>(sigma, nullptr));
+    return parts;
+  }
+  SimulationParts parts{.dynamics = std::make_unique<VortexSheet>(make_biot_savart("direct"), make_integrator("rk4"))};
   parts.effects.push_back(
       std::make_unique<SurfaceTension>(sigma, std::make_unique<EdgeAngle>(std::make_unique<AveragedArea>())));
   return parts;
@@ -52,10 +60,10 @@ Simulation make_simulation(ModeOptions& o, double omega) {
   lostopos::SurfaceMesh mesh = perturbed_sphere(o);
   SimulationOptions simulation;
   simulation.tracker.collisions = false;  // a convex bubble meets nothing
-  simulation.delta = 0.75 * resolved_resolution(simulation, mesh);
+  simulation.delta = (o.conservative ? 0.5 : 0.75) * resolved_resolution(simulation, mesh);
   if (o.dt == 0) o.dt = chosen_dt(o.sigma, simulation.delta, omega);
   simulation.dt = o.dt;
-  return {std::move(mesh), simulation, tension_only(o.sigma)};
+  return {std::move(mesh), simulation, tension_only(o.sigma, o.conservative)};
 }
 
 // Zero crossings of a sampled function, by straight lines between samples.

@@ -9,13 +9,14 @@ namespace foamsim {
 /// linear theory of a film of tension 4σ between equal fluids (Lamb 1932, §275),
 /// ω² = 4σ n (n − 1)(n + 1)(n + 2) / ((2n + 1) R³).
 struct ModeOptions {
-  long mode = 2;            ///< n, 2 to 6
-  long subdivisions = 3;    ///< of the icosahedron, 1 to 7: 20·4^subdivisions triangles
-  double amplitude = 0.02;  ///< start amplitude over the radius, in (0, 0.2]
-  double radius = 1;        ///< R, L, > 0
-  double sigma = 1;         ///< σ, L³/T², > 0
-  double dt = 0;            ///< T; 0: the smaller of 0.75 √(δ³/σ) (short waves) and 1/60 of the theory's period
-  long periods = 3;         ///< how many to measure, ≥ 1
+  bool conservative = false;  ///< the dynamics: `conservative`, else `vortex-sheet` with averaged areas
+  long mode = 2;              ///< n, 2 to 6
+  long subdivisions = 3;      ///< of the icosahedron, 1 to 7: 20·4^subdivisions triangles
+  double amplitude = 0.02;    ///< start amplitude over the radius, in (0, 0.2]
+  double radius = 1;          ///< R, L, > 0
+  double sigma = 1;           ///< σ, L³/T², > 0
+  double dt = 0;              ///< T; 0: the smaller of 0.75 √(δ³/σ) (short waves) and 1/60 of the theory's period
+  long periods = 3;           ///< how many to measure, ≥ 1
 };
 
 struct ModeSample {
@@ -53,7 +54,7 @@ using ModeCallback = std::function<void(const ModeProgress&)>;
 /// The theory's angular frequency (1/T).
 double mode_frequency(long mode, double sigma, double radius);
 
-/// Runs one oscillation with rk4 and measures it. The frequency comes from a straight line through all zero crossings
+/// Runs one oscillation with RK4 and measures it. The frequency comes from a straight line through all zero crossings
 /// of a_n(t). Throws base::InputError for options out of range, base::Error when the surface does not
 /// oscillate in four times the theory's time.
 ModeRun run_mode(const ModeOptions& options, const ModeCallback& progress = {});

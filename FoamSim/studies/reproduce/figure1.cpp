@@ -17,7 +17,7 @@ std::vector<ComparedRun> run_figure1(const Figure1Options& options, const RunSet
   scene.options.set("checkpoint_every", 0L, "figure 1");
   RunSettings own = settings;
   own.stop = {options.time, {}, false};
-  return compare_areas(scene, {report_areas.begin(), report_areas.end()}, own, hooks_for);
+  return compare_areas(scene, {compared_methods.begin(), compared_methods.end()}, own, hooks_for);
 }
 
 double drift_ratio(const std::vector<ComparisonRow>& rows, const std::string& area) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "FoamSim/scenes/methods.h"
+
 namespace foamsim {
 
 namespace {
@@ -24,10 +26,10 @@ Scene report_scene(long n, const std::string& area) {
   base::OptionSet& options = scene.options;
   constexpr const char* where = "the report's scene";
   options.set("n", n, where);
-  options.set("area", area, where);
+  choose_method(options, area, where);
   if (area == "constant-edge") options.set("phi", 0.75, where);
   options.set("dt", n <= largest_free ? 0.01 : 0.005, where);
-  options.set("diffusion", n <= largest_free ? 10.0 : 20.0, where);
+  if (area != conservative_method) options.set("diffusion", n <= largest_free ? 10.0 : 20.0, where);
   options.set("remeshing.smoothing", false, where);
   validate(scene);
   return scene;

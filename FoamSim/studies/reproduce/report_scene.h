@@ -12,6 +12,8 @@ namespace foamsim {
 inline constexpr std::array<long, 4> report_subdivisions{16, 24, 48, 96};
 /// Its three strategies, in the order of its figure 1.
 inline constexpr std::array<const char*, 3> report_areas{"naive", "constant-edge", "averaged"};
+/// These, and our own scheme beside them.
+inline constexpr std::array<const char*, 4> compared_methods{"naive", "constant-edge", "averaged", "conservative"};
 
 /// RMS deviation from 120°, degrees, that the report gives for its own method (`averaged`) with N subdivisions; empty
 /// where it gives none.

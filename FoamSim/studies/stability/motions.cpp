@@ -5,7 +5,7 @@
 
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/run/simulation_motion.h"
-#include "FoamSim/scenes/scene.h"
+#include "FoamSim/scenes/methods.h"
 
 namespace foamsim {
 
@@ -16,7 +16,7 @@ namespace {
 
 Scene scene_for(const CaseSetup& setup) {
   Scene scene = built_in_scene("doublebubble");
-  scene.options.set("area", setup.area, "stability study");
+  choose_method(scene.options, setup.area, "stability study");
   scene.options.set("remeshing.enabled", setup.remeshing, "stability study");
   scene.options.set("topology.enabled", setup.remeshing, "stability study");
   return scene;

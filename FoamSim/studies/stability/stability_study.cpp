@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "Base/error.h"
-#include "FoamSim/sheet/pressure/vertex_area/registry.h"
+#include "FoamSim/scenes/methods.h"
 #include "FoamSim/studies/require.h"
 
 namespace foamsim {
@@ -77,7 +77,7 @@ StabilityRow row_of(const StabilityCase& what, const CaseSetup& setup, const std
 
 void validate(const StabilityOptions& o) {
   for (const std::string& name : o.cases) stability_case_by_name(name);
-  for (const std::string& area : o.areas) make_vertex_area(area, {});
+  for (const std::string& area : o.areas) require_method(*built_in_catalogue(), area);
   require(!o.areas.empty(), "stability study: one strategy or more has to be given");
   require(!o.remeshing.empty(), "stability study: remeshing has to be on, off, or both");
   require(o.steps_scale > 0 && o.steps_scale <= 10, "stability study: the steps' scale has to be > 0 and at most 10");

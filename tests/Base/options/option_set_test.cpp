@@ -148,6 +148,14 @@ TEST(OptionSetErrors, AssignmentsThatAreNone) {
   expect_parts(message_of([&] { options.set_assignment("+=1", "--set"); }), {"--set"});
 }
 
+TEST(Options, ForgetsWhatWasSet) {
+  base::OptionSet options({base::whole_number("n", 3, 0, "a number")});
+  options.set("n", 5L, "test");
+  options.unset("n");
+  EXPECT_EQ(options.whole("n"), 3);
+  EXPECT_FALSE(options.is_set("n"));
+}
+
 TEST(OptionValueText, ReadsBackAsTheSame) {
   for (const base::OptionValue& value :
        {base::OptionValue(true), base::OptionValue(-42L), base::OptionValue(0.1), base::OptionValue(1.0 / 3),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "FoamSim/effects/registry.h"
@@ -143,6 +144,16 @@ TEST(Options, EachOneHasAnEffect) {
       {"damping_from", "run doublebubble --set effects+=damping --set damping=0.1 --set damping_from=0.02"},
       {"diffusion", "run doublebubble --set diffusion=1"},
       {"growth", "run foaminit --set growth=1"},
+      {"dynamics", "run doublebubble --set dynamics=conservative"},
+      {"stepping", "run doublebubble --set dynamics=conservative --set stepping=rk4"},
+      {"viscosity", "run doublebubble --set dynamics=conservative --set viscosity=0.3"},
+      {"near_field", "run doublebubble --set dynamics=conservative --set near_field=false"},
+      {"inertia", "run doublebubble --set dynamics=conservative --set inertia=false"},
+      {"tangential", "run doublebubble --set dynamics=conservative --set tangential=false"},
+      {"correction", "run doublebubble --set dynamics=conservative --set correction=false"},
+      {"most_substeps", "run doublebubble --set dynamics=conservative --set dt=0.04 --set most_substeps=1"},
+      {"conserving_transfers",
+       "run doublebubble --set dynamics=conservative --set n=24 --set time=0.3 --set conserving_transfers=false"},
   };
   auto outcome = [](const std::string& command) {
     const ScratchFolder scratch;
@@ -172,6 +183,11 @@ TEST(Options, EachOneHasAnEffect) {
   const std::string two_bubbles = outcome("run twobubbles --set n=1"), foam = outcome("run foaminit"),
                     junction = outcome("run quadjunction --set n=2");
   const std::string damped = outcome("run doublebubble --set effects+=damping --set damping=0.1");
+  const std::string conservative = outcome("run doublebubble --set dynamics=conservative"),
+                    long_steps = outcome("run doublebubble --set dynamics=conservative --set dt=0.04"),
+                    remeshed = outcome("run doublebubble --set dynamics=conservative --set n=24 --set time=0.3");
+  const std::set<std::string> of_conservative{"stepping", "viscosity",  "near_field",
+                                              "inertia",  "tangential", "correction"};
   for (const base::OptionSpec& spec : all_options()) {
     const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
     if (spec.key.starts_with("tracker.")) continue;                  // seen where films collide: TrackerOptionsOfScenes
@@ -179,7 +195,10 @@ TEST(Options, EachOneHasAnEffect) {
     if (spec.key == "pressure" || spec.key == "velocity") continue;  // there is one of each
     ASSERT_NE(it, changes.end()) << spec.key << " has no case here";
     if (spec.key == "checkpoint_every") continue;  // seen by an interrupted run only: InterruptedRun.CanBeResumed
-    const std::string& base = spec.key == "mode"                                                      ? sphere
+    const std::string& base = of_conservative.contains(spec.key)                                      ? conservative
+                              : spec.key == "most_substeps"                                           ? long_steps
+                              : spec.key == "conserving_transfers"                                    ? remeshed
+                              : spec.key == "mode"                                                    ? sphere
                               : spec.key == "amplitude"                                               ? mode
                               : spec.key == "phi"                                                     ? constant_edge
                               : spec.key == "damping_from"                                            ? damped

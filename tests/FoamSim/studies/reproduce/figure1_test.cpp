@@ -13,19 +13,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Figure1, RunsTheThreeStrategiesWithAsManyFramesAsAreDrawn) {
+TEST(Figure1, RunsTheThreeStrategiesAndOursWithAsManyFramesAsAreDrawn) {
   const ::test::ScratchFolder scratch;
   RunSettings settings;
   settings.out = scratch.path() / "figure1";
   const auto runs =
       run_figure1({.n = 12, .time = 0.08, .frames = 4}, settings, [](const std::string&) { return RunHooks(); });
-  ASSERT_EQ(runs.size(), 3u);
+  ASSERT_EQ(runs.size(), 4u);
   for (const ComparedRun& run : runs) {
     EXPECT_EQ(run.outcome.end, RunEnd::finished) << run.area;
     EXPECT_EQ(std::distance(fs::directory_iterator(run.outcome.directory / "frames"), fs::directory_iterator()), 5);
   }
   const auto rows = read_comparison(settings.out / "compare.csv");
-  ASSERT_EQ(rows.size(), 3u);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows.back().area, "conservative");
   EXPECT_DOUBLE_EQ(drift_ratio(rows, "averaged"), rows[0].centroid_drift / rows[2].centroid_drift);
 }
 

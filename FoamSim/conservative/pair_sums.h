@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "FoamSim/sheet/velocity/vortex_sources.h"
+#include "LosTopos/vec3.h"
+
+namespace foamsim {
+
+/// What the triangles' vortices do to each other, at their barycentres m_t (docs/method.md "A conservative scheme"):
+///
+///   Ψ_t = (1/4π) Σ_s γ_s / ρ_ts                       potential, s = t included, L²·L/T
+///   B_t = −(1/4π) Σ_s (γ_t·γ_s) (m_t − m_s) / ρ_ts³   ∂K/∂m_t at constant strengths, L⁴/T²
+///   u_t = (1/4π) Σ_s γ_s × (m_t − m_s) / ρ_ts³        velocity, L/T
+///
+/// with ρ_ts² = |m_t − m_s|² + δ².
+struct PairSums {
+  std::vector<lostopos::Vec3> potential;  ///< Ψ
+  std::vector<lostopos::Vec3> force;      ///< B; empty unless asked for
+  std::vector<lostopos::Vec3> velocity;   ///< u; empty unless asked for
+};
+
+enum class PairTerms {
+  potential,  ///< Ψ alone
+  all         ///< Ψ, B and u
+};
+
+/// Sums over all pairs of triangles, each pair visited once for both of its members: O(n²).
+///
+/// SIMD with run-time choice of the instruction set; pairs are shared out among a fixed number of groups, whose sums
+/// are added up in a fixed order: same bits for any number of threads and any instruction set.
+class DirectPairSums {
+ public:
+  /// @param sources barycentres (L) and strengths γ (L³/T); distances from 1e-90 to 1e90, or zero.
+  /// @param delta   δ > 0 (L).
+  /// @throws base::InputError when delta is not a finite length > 0.
+  void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums);
+
+ private:
+  std::vector<VortexSources::Array> parts_;  // of every group: one array a component, one after the other
+};
+
+}  // namespace foamsim

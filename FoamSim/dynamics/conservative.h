@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+
+#include "FoamSim/conservative/correction.h"
+#include "FoamSim/conservative/film_motion.h"
+#include "FoamSim/conservative/film_shape.h"
+#include "FoamSim/conservative/potential.h"
+#include "FoamSim/conservative/viscosity.h"
+#include "FoamSim/dynamics/dynamics.h"
+
+namespace foamsim {
+
+/// How the conservative scheme goes from step to step.
+enum class Stepping {
+  kick_drift,  ///< φ first, then positions with the new φ: one full evaluation and one of Ψ a step
+  midpoint,    ///< implicit midpoint by fixed-point iteration
+  rk4          ///< the classical Runge–Kutta method, four full evaluations
+};
+
+struct ConservativeOptions {
+  Stepping stepping = Stepping::kick_drift;
+  bool near_field = true;
+  bool inertia = true;
+  bool tangential = true;  ///< the mesh goes along the films with the air; else along their normals only
+  bool conserving_transfers = true;
+  double viscosity = 0;     ///< η, surface viscosity over air density, L³/T
+  double safety = 0.5;      ///< share of the longest stable step that is used
+  long most_substeps = 16;  ///< a step is made in as many as that share asks for
+  bool correction = true;   ///< what is left of energy and impulse lost or won is given back
+};
+
+/// Films as a mechanical system (docs/method.md "A conservative scheme"): velocities are the adjoint of forces, so that
+/// energy, volumes and equilibria are right on any mesh.
+class Conservative final : public Dynamics {
+ public:
+  explicit Conservative(const ConservativeOptions& options) : options_(options) {}
+
+  double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
+  /// What the first remeshing does to the area of a rough mesh is no motion: energy counts from behind it.
+  bool remeshes_start() const override { return true; }
+  void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) override;
+  nlohmann::json state() const override;
+  void restore(const nlohmann::json& state) override;
+
+ private:
+  using Positions = std::vector<lostopos::Vec3>;
+  struct Rates {
+    std::vector<double> phi;  // dφ/dt, by entry
+    Positions x;              // dx/dt, by vertex slot
+  };
+
+  void start(StepScope& scope);
+  // Rates of change at an instant after the step's start; leaves shape_, motion_ as they are there.
+  void evaluate(StepScope& scope, double after, std::span<const lostopos::Vec3> x, std::span<const double> phi,
+                Rates& rates);
+  void kick_drift(StepScope& scope, Positions& predicted);
+  // One kick of φ and the drift with it, from `after` on; the first of a step measures.
+  void substep(StepScope& scope, double after, double dt, Positions& x);
+  void midpoint(StepScope& scope, Positions& predicted);
+  void rk4(StepScope& scope, Positions& predicted);
+  void expect_kinetic_energy(double dt, std::span<const lostopos::Vec3> x, std::span<const double> flux);
+  void take_back_remeshing(StepScope& scope);
+  // The change of φ that gives back what energy and impulse the last step has lost or won, added to `phi`.
+  void correct(StepScope& scope, std::vector<double>& phi);
+  // Notes what the invariants were, half-way through a kick, and how far they are off.
+  void remember(StepScope& scope, double energy, std::span<const double> phi);
+  void report_state(StepScope& scope, double kinetic_energy, std::span<const double> phi) const;
+
+  ConservativeOptions options_;
+  double delta_ = 0;
+  std::optional<PotentialField> potential_;
+  FilmConnectivity films_;
+  FilmShape shape_;
+  std::optional<Viscosity> viscosity_;
+  std::optional<FilmMotion> motion_, change_;  // of φ, and of its change by a kick
+  std::vector<double> phi_, new_phi_, stage_phi_;
+  Positions tangential_, force_, stage_x_;
+  Rates rates_, sum_;
+  std::optional<Invariants> kept_;                 // of the last step, what the next one has to have
+  Invariants missing_;                             // what it had too little
+  lostopos::Vec3 about_ = lostopos::Vec3::Zero();  // the point of the angular impulse, so that a shift changes nothing
+  double expected_kinetic_ = 0;
+  double surface_energy_ = 0;  // of the positions that the last step predicted
+};
+
+}  // namespace foamsim

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "FoamSim/constraints/constraint.h"
+#include "FoamSim/dynamics/step_report.h"
+#include "FoamSim/effects/effect.h"
+#include "FoamSim/sheet/circulation.h"
+#include "FoamSim/sheet/surface_geometry.h"
+#include "LosTopos/surface_tracker.h"
+
+namespace foamsim {
+
+/// The step that a simulation makes, as its dynamics see it: the surface, Γ, and what effects and constraints have to
+/// say. Times of the latter are charged to them by name.
+class StepScope {
+ public:
+  StepScope(const EffectStep& step, CirculationField& circulation, const std::vector<std::unique_ptr<Effect>>& effects,
+            const std::vector<std::unique_ptr<Constraint>>& constraints, StepReport& report)
+      : step_(step), circulation_(circulation), effects_(effects), constraints_(constraints), report_(report) {}
+
+  const EffectStep& step() const { return step_; }
+  const lostopos::SurfaceMesh& mesh() const { return step_.mesh; }
+  std::span<const lostopos::Vec3> positions() const { return step_.mesh.positions(); }
+  /// By triangle slot, not zero for those of a solid.
+  std::span<const std::uint8_t> solid() const { return step_.solid; }
+  CirculationField& circulation() { return circulation_; }
+  StepReport& report() { return report_; }
+
+  /// Effects change Γ, in their order, then constraints, which may ask for the velocity that the air would have.
+  void change_circulation(const SheetVelocities& velocities);
+  /// Adds the effects' own velocities at an instant `after` (T) the start of the step.
+  void add_velocity(double after, std::span<const lostopos::Vec3> positions, std::span<lostopos::Vec3> velocity);
+  /// Adds the gradients of the effects' potential energies at `positions`, by vertex slot, L⁴/T².
+  void add_force(double after, std::span<const lostopos::Vec3> positions, std::span<lostopos::Vec3> force);
+  /// Effects and constraints change positions that have been arrived at.
+  void correct_positions(double after, std::span<lostopos::Vec3> positions);
+  /// Sum of the effects' potential energies of the surface at the start of the step.
+  double potential_energy() const;
+  /// Sum of the effects' tensions, L³/T².
+  double tension() const;
+  /// The same with the vertices at other positions.
+  double potential_energy(double after, std::span<const lostopos::Vec3> positions) const;
+
+ private:
+  const EffectStep& step_;
+  CirculationField& circulation_;
+  const std::vector<std::unique_ptr<Effect>>& effects_;
+  const std::vector<std::unique_ptr<Constraint>>& constraints_;
+  StepReport& report_;
+};
+
+/// What is known of the surface before the first step.
+struct DynamicsStart {
+  double resolution;  ///< h̄, L
+  double delta;       ///< δ as it was asked for, L; 0: the dynamics' own choice
+};
+
+/// How films move: from the surface and Γ to Γ and the positions after dt. `vortex_sheet` is section 3 of the method
+/// (Da et al. 2015), `conservative` section 12.
+class Dynamics {
+ public:
+  Dynamics() = default;
+  Dynamics(const Dynamics&) = delete;
+  Dynamics& operator=(const Dynamics&) = delete;
+  virtual ~Dynamics() = default;
+
+  /// Called once, before the first step: adds what the mesh has to carry, and chooses δ, which it returns (L).
+  virtual double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) = 0;
+  /// Whether the start surface is remeshed once before the first step, where remeshing is on.
+  virtual bool remeshes_start() const { return false; }
+  /// Changes Γ over dt, writes the positions that the vertices are to go to (L, by slot), and fills energies and
+  /// impulse of the report.
+  virtual void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) = 0;
+
+  /// As for effects: what it has to remember from step to step besides attributes; null: nothing.
+  virtual nlohmann::json state() const;
+  virtual void restore(const nlohmann::json& state);
+};
+
+}  // namespace foamsim

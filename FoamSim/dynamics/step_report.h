@@ -1,0 +1,35 @@
+#pragma once
+
+#include "Base/timing/stage_times.h"
+#include "LosTopos/surface_tracker.h"
+
+namespace foamsim {
+
+/// What one step did.
+struct StepReport {
+  base::StageTimes times;  ///< wall seconds by stage
+  /// Energies over air density (L⁵/T²) at the start of the step. Circulation is known half a step before (as the step
+  /// found it) and half a step after (as the effects left it); the kinetic energy is the bilinear form of the two,
+  /// −Σ Γ̄_before (u_after·n) area: like the start's positions second-order accurate in dt, and conserved as leap-frog
+  /// conserves it. It can fall below zero by O(dt²) where the air is almost at rest.
+  double kinetic_energy = 0;
+  double potential_energy = 0;
+  /// Hydrodynamic impulse at that instant (mean of before and after), L⁴/T.
+  lostopos::Vec3 impulse = lostopos::Vec3::Zero();
+  double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
+  /// @name Of the conservative dynamics; else as they are here
+  ///@{
+  double stable_dt = 0;   ///< longest step that the stiffest vertex bears, T
+  long substeps = 1;      ///< in which the step was made for that
+  double correction = 0;  ///< change of φ that gave back energy and impulse, root mean square as a share of φ's
+  /// What move, topology and remeshing of the step before have put into the films and into the air, L⁵/T².
+  double tracker_surface_energy = 0, tracker_kinetic_energy = 0;
+  ///@}
+  long velocity_evaluations = 0;
+  double motion_fraction = 1;             ///< of the predicted motion that the tracker could do
+  lostopos::MoveStatistics move;          ///< collisions found and answered
+  lostopos::RemeshStatistics remesh;      ///< operations done and refused
+  lostopos::TopologyStatistics topology;  ///< films that joined, parted or vanished, and the events in order
+};
+
+}  // namespace foamsim

@@ -1,0 +1,165 @@
+// The conservative dynamics as a whole.
+
+#include "FoamSim/dynamics/conservative.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "Base/error.h"
+#include "FoamSim/dynamics/simulation.h"
+#include "FoamSim/effects/surface_tension.h"
+#include "FoamSim/effects/volumes.h"
+#include "FoamSim/metrics/film_angles.h"
+#include "FoamSim/metrics/junction_angles.h"
+#include "FoamSim/scenes/methods.h"
+#include "FoamSim/scenes/shapes/double_bubble.h"
+#include "FoamSim/scenes/shapes/solids.h"
+#include "LosTopos/mesh/audit.h"
+#include "LosTopos/mesh/measures.h"
+#include "tests/support/film_meshes.h"
+
+namespace foamsim {
+namespace {
+
+using lostopos::SurfaceMesh;
+using lostopos::Vec3;
+
+SimulationParts parts(const ConservativeOptions& options, bool volumes = false) {
+  SimulationParts made{.dynamics = std::make_unique<Conservative>(options)};
+  made.effects.push_back(std::make_unique<SurfaceTension>(1, nullptr));
+  if (volumes) made.effects.push_back(std::make_unique<Volumes>());
+  return made;
+}
+
+// Films that stay as they are meshed.
+SimulationOptions fixed(double dt, double delta = 0) {
+  SimulationOptions options{.dt = dt, .delta = delta};
+  options.tracker.collisions = false;
+  return options;
+}
+
+double energy(const StepReport& report) {
+  return report.kinetic_energy + report.potential_energy;
+}
+
+ConservativeOptions as_derived() {
+  return {.stepping = Stepping::rk4, .near_field = false, .tangential = false, .correction = false};
+}
+
+struct Printed {
+  int step;
+  double kinetic, surface;
+};
+
+// What an independent implementation (NumPy, dense sums, RK4) gives for the same meshes, δ and dt.
+void expect_as_printed(SurfaceMesh mesh, double delta, std::span<const Printed> printed) {
+  Simulation simulation(std::move(mesh), fixed(0.004, delta), parts(as_derived()));
+  std::vector<StepReport> reports;
+  for (int i = 0; i <= printed.back().step; ++i) reports.push_back(simulation.step());
+  for (const Printed& p : printed) {
+    EXPECT_NEAR(reports[static_cast<std::size_t>(p.step)].kinetic_energy, p.kinetic, 1e-9) << p.step;
+    EXPECT_NEAR(reports[static_cast<std::size_t>(p.step)].potential_energy, p.surface, 1e-9) << p.step;
+  }
+}
+
+TEST(Conservative, MovesADoubleBubbleAsTheReferenceDoes) {
+  constexpr Printed printed[] = {{1, 0.00045950148975120987, 91.91878440157096},
+                                 {5, 0.011471267673433908, 91.90777263536333},
+                                 {10, 0.045676281862936527, 91.873567621109487}};
+  expect_as_printed(double_bubble(8), 0.2, printed);
+}
+
+TEST(Conservative, MovesACubeAsTheReferenceDoes) {
+  constexpr Printed printed[] = {{1, 0.0012303511452027044, 31.998769648853958},
+                                 {5, 0.03071109411694041, 31.969288905878624},
+                                 {10, 0.12224799498662343, 31.877752005004155}};
+  expect_as_printed(cube(1), 0.3, printed);
+}
+
+// Largest |K + E − start| over K's peak by time 0.32.
+double energy_error(Stepping stepping, double dt) {
+  ConservativeOptions options = as_derived();
+  options.stepping = stepping;
+  SurfaceMesh mesh = icosphere(1);
+  perturb_with_mode(mesh, 2, 0.1);
+  Simulation simulation(std::move(mesh), fixed(dt), parts(options));
+  double first = 0, worst = 0;
+  for (long i = 0; i * dt < 0.32; ++i) {
+    const double now = energy(simulation.step());
+    if (i == 0) first = now;
+    worst = std::max(worst, std::abs(now - first));
+  }
+  return worst;
+}
+
+TEST(Conservative, KeepsEnergyToTheOrderOfItsStepping) {
+  EXPECT_GT(std::log2(energy_error(Stepping::rk4, 0.01) / energy_error(Stepping::rk4, 0.005)), 3.5);
+  EXPECT_NEAR(std::log2(energy_error(Stepping::midpoint, 0.02) / energy_error(Stepping::midpoint, 0.01)), 2, 0.4);
+  EXPECT_GT(std::log2(energy_error(Stepping::kick_drift, 0.02) / energy_error(Stepping::kick_drift, 0.01)), 0.8);
+}
+
+TEST(Conservative, KeepsVolumesToTheOrderOfItsSteppingAndToRoundingWithVolumes) {
+  for (bool volumes : {false, true}) {
+    Simulation simulation(double_bubble(12), fixed(0.01), parts({}, volumes));
+    const auto start = lostopos::closed_region_volumes(simulation.mesh());
+    for (int i = 0; i < 30; ++i) simulation.step();
+    const double drift = lostopos::largest_volume_drift(lostopos::closed_region_volumes(simulation.mesh()), start);
+    EXPECT_LT(drift, volumes ? 1e-12 : 1e-3);
+  }
+}
+
+// No damping: what it wins by remeshing it gives back.
+TEST(Conservative, DoesNotWinEnergyOnARemeshedDoubleBubble) {
+  Scene scene = built_in_scene("doublebubble");
+  scene.options.set("n", 16L, "test");
+  choose_method(scene.options, conservative_method, "test");
+  Simulation simulation = make_simulation(scene);
+  const auto start = lostopos::closed_region_volumes(simulation.mesh());
+  double least = 1e300, first = 0, rise = 0, drift = 0, impulse = 0;
+  for (int i = 0; i < 200; ++i) {
+    const StepReport report = simulation.step();
+    if (i == 0) first = energy(report);
+    least = std::min(least, energy(report));
+    rise = std::max(rise, energy(report) - least);
+    drift = std::max(drift, lostopos::largest_volume_drift(lostopos::closed_region_volumes(simulation.mesh()), start));
+    impulse = std::max(impulse, report.impulse.norm() / std::max(1e-12, report.impulse_scale));
+    ASSERT_TRUE(lostopos::audit(simulation.mesh()).clean()) << i;
+  }
+  EXPECT_LT(rise, 1e-3 * first);
+  EXPECT_LT(drift, 1e-5);
+  EXPECT_LT(impulse, 0.01);
+}
+
+TEST(Conservative, GoesOnFromASavedStateToTheBit) {
+  const auto make = [] { return Simulation(double_bubble(8), fixed(0.01), parts({}, true)); };
+  Simulation whole = make(), first = make(), second = make();
+  for (int i = 0; i < 10; ++i) whole.step();
+  for (int i = 0; i < 5; ++i) first.step();
+  const auto text = nlohmann::json::to_cbor(to_json(first.state()));
+  second.restore(simulation_state_from_json(nlohmann::json::from_cbor(text)));
+  for (int i = 0; i < 5; ++i) second.step();
+  EXPECT_TRUE(lostopos::test::same_bits(whole.state().tracker, second.state().tracker));
+}
+
+TEST(Conservative, RefusesWhatOnlyTheVortexSheetHas) {
+  const auto refused = [](const char* key, const base::OptionValue& value, const char* why) {
+    Scene scene = built_in_scene("doublebubble");
+    scene.options.set("dynamics", std::string("conservative"), "test");
+    scene.options.set(key, value, "test");
+    try {
+      validate(scene);
+      ADD_FAILURE() << key;
+    } catch (const base::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+  };
+  refused("area", std::string("naive"), "exact forces");
+  refused("phi", 0.5, "exact forces");
+  refused("integrator", std::string("rk4"), "stepping");
+  refused("effects", std::vector<std::string>{"surface_tension", "diffusion"}, "viscosity");
+}
+
+}  // namespace
+}  // namespace foamsim

@@ -60,8 +60,9 @@ void print_tracker(const RunOutcome& outcome) {
 
 void print_active(const Scene& scene) {
   std::string effects;
-  for (const std::string& effect : scene.options.words("effects")) effects += (effects.empty() ? "" : ", ") + effect;
-  std::printf("scene %s; effects: %s\n", scene.name.c_str(), effects.empty() ? "none" : effects.c_str());
+  for (const std::string& effect : effects_of(scene.options)) effects += (effects.empty() ? "" : ", ") + effect;
+  std::printf("scene %s; dynamics: %s; effects: %s\n", scene.name.c_str(), scene.options.word("dynamics").c_str(),
+              effects.empty() ? "none" : effects.c_str());
   for (const base::OptionSpec& spec : scene.options.specs())
     if (scene.options.is_set(spec.key))
       std::printf("  %s = %s\n", spec.key.c_str(), base::to_text(scene.options.value(spec.key)).c_str());

@@ -26,7 +26,7 @@ void shift(std::span<const T> x, double h, std::span<const T> y, std::vector<T>&
 }
 
 Vec3 mean_position(const FilmConnectivity& films, std::span<const Vec3> x) {
-  const Vec3 first = x[films.corners.front()[0]];
+  const Vec3& first = x[films.corners.front()[0]];
   Vec3 sum = Vec3::Zero();
   for (const auto& corners : films.corners) sum += (x[corners[0]] - first) / static_cast<double>(films.corners.size());
   return first + sum;

@@ -60,7 +60,7 @@ class Bubbles {
 
   // ∂V_r/∂x_v of the bubbles at v, and a third of the area around it.
   struct Star {
-    boost::container::small_vector<std::pair<int, Vec3>, 4> gradients;
+    std::vector<std::pair<int, Vec3>> gradients;
     double area = 0;
   };
   Star star(Vertex v, std::span<const Vec3> x) const {

@@ -63,16 +63,6 @@ bool contains(std::span<const std::string> words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-// What acts on the films: with the conservative dynamics those that are not asked for leave out `diffusion`, which can
-// win energy there, and correct volumes.
-std::vector<std::string> effects_of(const base::OptionSet& options) {
-  std::vector<std::string> names = options.words("effects");
-  if (options.is_set("effects") || options.word("dynamics") != "conservative") return names;
-  std::erase(names, "diffusion");
-  names.emplace_back("volumes");
-  return names;
-}
-
 // Whether the scene uses the owner of an option.
 bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
           std::span<const std::string> also_used) {
@@ -149,13 +139,22 @@ void refuse_for_conservative(const base::OptionSet& options) {
         "use --set viscosity=ETA (surface viscosity, L^3/T) in its place");
   const double delta = options.number("delta"), resolution = options.number("resolution");
   if (delta > 0 && resolution > 0 && delta < 0.1 * resolution)
-    throw base::InputError("delta " + base::to_text(delta) + " is below a tenth of the resolution " +
-                           base::to_text(resolution) +
-                           ", where slivers make the kinetic energy of dynamics=conservative as good as singular; "
-                           "leave it out (half the resolution) or give at least that tenth");
+    throw base::InputError(
+        "delta is below a tenth of the resolution, where slivers make the kinetic energy of "
+        "dynamics=conservative as good as singular; leave it out (half the resolution) or give at "
+        "least " +
+        base::to_text(0.1 * resolution));
 }
 
 }  // namespace
+
+std::vector<std::string> effects_of(const base::OptionSet& options) {
+  std::vector<std::string> names = options.words("effects");
+  if (options.is_set("effects") || options.word("dynamics") != "conservative") return names;
+  std::erase(names, "diffusion");
+  names.emplace_back("volumes");
+  return names;
+}
 
 std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue) {
   std::vector<base::OptionSpec> specs = general_option_specs(catalogue);

@@ -18,6 +18,10 @@ struct Scene {
   std::shared_ptr<const Catalogue> catalogue;  ///< what its names mean; not null
 };
 
+/// What acts on the films. Conservative dynamics that are not told otherwise leave out `diffusion`, which can win
+/// energy there, and keep volumes.
+std::vector<std::string> effects_of(const base::OptionSet& options);
+
 /// The options that every scene has, with their defaults: the general ones, the tracker's, and those of every effect,
 /// strategy and so on of the catalogue.
 std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue);
@@ -45,7 +49,7 @@ void validate(const Scene& scene, std::span<const std::string> also_used = {});
 lostopos::SurfaceMesh build_surface(const Scene& scene);
 
 SimulationOptions simulation_options(const base::OptionSet& options);
-/// The effects, constraints, velocity sum and integrator that the scene names. `edges`: where films end.
+/// The effects, constraints and dynamics that the scene names. `edges`: where films end.
 SimulationParts simulation_parts(const Scene& scene, double resolution, const std::vector<lostopos::Vertex>& edges);
 
 /// The simulation of the scene from its start. Validates first. A film that ends at a free edge ends at a frame: the

@@ -146,6 +146,19 @@ void refuse_for_conservative(const base::OptionSet& options) {
         base::to_text(0.1 * resolution));
 }
 
+// Of an option whose owner the scene does not use.
+std::string not_used_message(const base::OptionSpec& spec, const base::OptionSet& options) {
+  const auto& [kind, name] = spec.owner;
+  std::string help;
+  if (kind == "effect")
+    help = "; add it with --set effects+=" + name;
+  else if (options.word("dynamics") == "conservative" && spec.key == "integrator")
+    help = "; dynamics=conservative has --set stepping=kick-drift, midpoint or rk4";
+  else if (options.word("dynamics") == "conservative")
+    help = "; dynamics=conservative has exact forces and the velocities that belong to them";
+  return "option '" + spec.key + "' belongs to the " + kind + " '" + name + "', which this scene does not use" + help;
+}
+
 }  // namespace
 
 std::vector<std::string> effects_of(const base::OptionSet& options) {
@@ -217,13 +230,7 @@ void validate(const Scene& scene, std::span<const std::string> also_used) {
   for (const base::OptionSpec& spec : scene.options.specs()) {
     const auto& [kind, name] = spec.owner;
     if (kind.empty() || !scene.options.is_set(spec.key) || uses(scene.options, spec.owner, also_used)) continue;
-    std::string help = kind == "effect" ? "; add it with --set effects+=" + name : "";
-    if (scene.options.word("dynamics") == "conservative" && kind != "effect") {
-      help = "; dynamics=conservative has exact forces and the velocities that belong to them";
-      if (spec.key == "integrator") help = "; dynamics=conservative has --set stepping=kick-drift, midpoint or rk4";
-    }
-    throw base::InputError("option '" + spec.key + "' belongs to the " + kind + " '" + name +
-                           "', which this scene does not use" + help);
+    throw base::InputError(not_used_message(spec, scene.options));
   }
 }
 

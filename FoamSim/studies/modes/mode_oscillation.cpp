@@ -33,8 +33,7 @@ void check(const ModeOptions& o) {
 
 SimulationParts tension_only(double sigma, bool conservative) {
   if (conservative) {
-    SimulationParts parts{.dynamics = std::make_unique<Conservative>(
-                              ConservativeOptions{.stepping = Stepping::rk4, .tangential = getenv("TG") != nullptr})};
+    SimulationParts parts{.dynamics = std::make_unique<Conservative>(ConservativeOptions{.stepping = Stepping::rk4})};
     parts.effects.push_back(std::make_unique<SurfaceTension>(sigma, nullptr));
     return parts;
   }

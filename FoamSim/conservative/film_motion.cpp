@@ -30,15 +30,7 @@ void FilmMotion::evaluate(const FilmConnectivity& films, const FilmShape& shape,
   near_.add_potential(films, shape, strength_, sums_.potential);
   kinetic_energy_ = 0;
   for (std::size_t t = 0; t < n; ++t) kinetic_energy_ += 0.5 * strength_[t].dot(sums_.potential[t]);
-  flux_.assign(films.entries(), 0.0);
-  base::parallel_for_each(films.vertex_slots(), film_grain, [&](std::size_t v) {
-    for (std::uint32_t corner : films.around(v)) {
-      const std::size_t t = corner / 3, k = corner % 3;
-      const double part = 0.5 * opposite_edge(films, t, k, positions).dot(sums_.potential[t]);
-      flux_[films.front[t][k]] += part;
-      flux_[films.back[t][k]] -= part;
-    }
-  });
+  collect_fluxes(films, positions, sums_.potential, flux_);
 }
 
 void FilmMotion::add_inertia(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,

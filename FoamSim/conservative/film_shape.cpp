@@ -55,6 +55,19 @@ void FilmShape::update(const FilmConnectivity& films, std::span<const Vec3> posi
   });
 }
 
+void collect_fluxes(const FilmConnectivity& films, std::span<const Vec3> positions, std::span<const Vec3> potential,
+                    std::vector<double>& flux) {
+  flux.assign(films.entries(), 0.0);
+  base::parallel_for_each(films.vertex_slots(), film_grain, [&](std::size_t v) {
+    for (std::uint32_t corner : films.around(v)) {
+      const std::size_t t = corner / 3, k = corner % 3;
+      const double part = 0.5 * opposite_edge(films, t, k, positions).dot(potential[t]);
+      flux[films.front[t][k]] += part;
+      flux[films.back[t][k]] -= part;
+    }
+  });
+}
+
 void balance(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> force,
              std::span<double> pressure) {
   base::parallel_for_each(films.vertex_slots(), film_grain, [&](std::size_t v) {

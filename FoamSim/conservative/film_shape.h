@@ -32,6 +32,11 @@ inline lostopos::Vec3 opposite_edge(const FilmConnectivity& films, std::size_t t
   return positions[films.corners[t][(k + 2) % 3]] - positions[films.corners[t][(k + 1) % 3]];
 }
 
+/// f_v^r of the triangles' potentials Ψ (L²/T), by entry: ½ (x_c − x_b)·Ψ_t at corner a of triangle t, with
+/// both signs, L³/T. Overwrites `flux`.
+void collect_fluxes(const FilmConnectivity& films, std::span<const lostopos::Vec3> positions,
+                    std::span<const lostopos::Vec3> potential, std::vector<double>& flux);
+
 /// The pressures P_v^r that balance a force at every vertex: least squares for Σ_r P_r a_v^r = F_v, by entry, force
 /// over area. `force`: by vertex slot.
 void balance(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> force,

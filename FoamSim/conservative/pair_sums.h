@@ -10,7 +10,7 @@ namespace foamsim {
 
 /// What the triangles' vortices do to each other, at their barycentres m_t (docs/method.md "A conservative scheme"):
 ///
-///   Ψ_t = (1/4π) Σ_s γ_s / ρ_ts                       potential, s = t included, L²·L/T
+///   Ψ_t = (1/4π) Σ_s γ_s / ρ_ts                       potential, s = t included, L²/T
 ///   B_t = −(1/4π) Σ_s (γ_t·γ_s) (m_t − m_s) / ρ_ts³   ∂K/∂m_t at constant strengths, L⁴/T²
 ///   u_t = (1/4π) Σ_s γ_s × (m_t − m_s) / ρ_ts³        velocity, L/T
 ///

@@ -155,7 +155,7 @@ void PotentialTransfer::match(const SurfaceMesh& mesh, Vertex v) {
   own = std::move(matched);
 }
 
-double PotentialTransfer::jump(const SurfaceMesh&, Vertex v, RegionPair pair) const {
+double PotentialTransfer::jump(Vertex v, RegionPair pair) const {
   const double* low = find(value(v), pair.low);
   const double* high = find(value(v), pair.high);
   return low != nullptr && high != nullptr ? *low - *high : 0.0;
@@ -173,7 +173,7 @@ void PotentialTransfer::remember(const SurfaceMesh& mesh, std::vector<Triangle>&
     if (first) it = sums_.insert(it, {pair});
     const double third = lostopos::area(mesh, t) / 3;
     for (Vertex v : mesh.vertices(t)) {
-      const double value = jump(mesh, v, pair);
+      const double value = jump(v, pair);
       it->integral += third * value;
       it->low = first && v == mesh.vertices(t)[0] ? value : std::min(it->low, value);
       it->high = first && v == mesh.vertices(t)[0] ? value : std::max(it->high, value);
@@ -198,13 +198,13 @@ void PotentialTransfer::conserve(const SurfaceMesh& mesh, Vertex v) {
         if (corner == v)
           weight += third;
         else
-          others += third * jump(mesh, corner, film.pair);
+          others += third * jump(corner, film.pair);
       }
     }
     if (!(weight > 0)) continue;
     const double target = std::clamp((film.integral - others) / weight, film.low, film.high);
     const auto p = place_of(own, film.pair.low), q = place_of(own, film.pair.high);
-    const double change = target - jump(mesh, v, film.pair);
+    const double change = target - jump(v, film.pair);
     matrix(p, p) += weight;
     matrix(q, q) += weight;
     matrix(p, q) -= weight;

@@ -42,7 +42,7 @@ class PotentialTransfer final : public lostopos::CarryPolicy<lostopos::Vertex, V
   // Every touched vertex that is left holds the regions that it has, no others.
   void match_touched(const lostopos::SurfaceMesh& mesh);
   void match(const lostopos::SurfaceMesh& mesh, lostopos::Vertex v);
-  double jump(const lostopos::SurfaceMesh& mesh, lostopos::Vertex v, RegionPair pair) const;
+  double jump(lostopos::Vertex v, RegionPair pair) const;
   // What the films of these triangles hold.
   void remember(const lostopos::SurfaceMesh& mesh, std::vector<lostopos::Triangle>& patch);
   // Chooses φ of v, the last vertex of the patch.

@@ -68,15 +68,7 @@ void Viscosity::response(const FilmConnectivity& films, const FilmShape& shape, 
           (pressure_[films.front[t][k]] - pressure_[films.back[t][k]]) / 2 * opposite_edge(films, t, k, positions);
     potential_[t] = resolution_ / 2 / std::max(shape.area[t], least_area) * strength;
   });
-  flux_.assign(films.entries(), 0.0);
-  base::parallel_for_each(films.vertex_slots(), film_grain, [&](std::size_t v) {
-    for (std::uint32_t corner : films.around(v)) {
-      const std::size_t t = corner / 3, k = corner % 3;
-      const double part = 0.5 * opposite_edge(films, t, k, positions).dot(potential_[t]);
-      flux_[films.front[t][k]] += part;
-      flux_[films.back[t][k]] -= part;
-    }
-  });
+  collect_fluxes(films, positions, potential_, flux_);
   const Vectors still(films.vertex_slots(), Vec3::Zero());
   velocity.resize(films.vertex_slots());
   fit_velocities(films, shape, flux_, still, velocity);

@@ -35,6 +35,8 @@ std::vector<base::OptionSpec> remeshing_specs(const TrackerOptions& d) {
       base::positive_number("remeshing.max_volume_change", d.remesh.max_volume_change,
                             "largest change of a volume by an operation, in resolutions cubed"),
       base::flag("remeshing.smoothing", d.remesh.smoothing, "smooth badly shaped triangles along the films"),
+      base::positive_number("remeshing.smooth_below", d.remesh.smooth_below_angle,
+                            "triangles with a smaller angle are smoothed, degrees; 60: all"),
       base::flag("remeshing.butterfly", d.remesh.use_butterfly, "curved positions for new vertices; false: midpoints"),
   };
 }
@@ -83,6 +85,7 @@ TrackerOptions tracker_options(const base::OptionSet& options) {
   tracker.remesh.split_angle = options.number("remeshing.split_angle");
   tracker.remesh.max_volume_change = options.number("remeshing.max_volume_change");
   tracker.remesh.smoothing = options.flag("remeshing.smoothing");
+  tracker.remesh.smooth_below_angle = options.number("remeshing.smooth_below");
   tracker.remesh.use_butterfly = options.flag("remeshing.butterfly");
   TopologyOptions& topology = tracker.topology;
   topology.enabled = options.flag("topology.enabled");

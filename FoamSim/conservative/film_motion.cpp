@@ -56,19 +56,6 @@ void FilmMotion::add_inertia(const FilmConnectivity& films, const FilmShape& sha
   });
 }
 
-void mean_at_vertices(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> of_triangles,
-                      std::vector<Vec3>& of_vertices) {
-  of_vertices.assign(films.vertex_slots(), Vec3::Zero());
-  base::parallel_for_each(films.vertex_slots(), film_grain, [&](std::size_t v) {
-    double weight = 0;
-    for (std::uint32_t corner : films.around(v)) {
-      of_vertices[v] += shape.area[corner / 3] * of_triangles[corner / 3];
-      weight += shape.area[corner / 3];
-    }
-    if (weight > 0) of_vertices[v] /= weight;
-  });
-}
-
 FilmImpulse impulse(const FilmConnectivity& films, const FilmShape& shape, std::span<const double> phi) {
   FilmImpulse impulse;
   for (std::size_t t = 0; t < films.corners.size(); ++t) {

@@ -52,10 +52,6 @@ class FilmMotion {
   long evaluations_ = 0;
 };
 
-/// The area-weighted mean of the triangles' values at every vertex, by vertex slot; 0 where there are no triangles.
-void mean_at_vertices(const FilmConnectivity& films, const FilmShape& shape,
-                      std::span<const lostopos::Vec3> of_triangles, std::vector<lostopos::Vec3>& of_vertices);
-
 /// Hydrodynamic impulse P = Σ 2 Γ̄ N = 2 Σ φ a and its scale Σ |2 Γ̄ N|, L⁴/T.
 struct FilmImpulse {
   lostopos::Vec3 total = lostopos::Vec3::Zero();

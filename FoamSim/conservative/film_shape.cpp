@@ -11,7 +11,14 @@ using lostopos::Vec3;
 
 namespace {
 
-Eigen::Matrix3d pseudo_inverse(std::span<const Vec3> rows) {
+// 1/value, but for a direction that is barely seen: there it falls to zero with the value.
+double damped_inverse(double value, double largest) {
+  const double weak = weak_singular_value * weak_singular_value * largest;
+  if (!(value > 0)) return 0;
+  return value > weak ? 1 / value : value / (weak * weak);
+}
+
+Eigen::Matrix3d damped_pseudo_inverse(std::span<const Vec3> rows) {
   // Two regions have opposite gradients: one direction.
   if (rows.size() == 2) {
     const double square = rows[0].squaredNorm();
@@ -22,11 +29,9 @@ Eigen::Matrix3d pseudo_inverse(std::span<const Vec3> rows) {
   for (const Vec3& a : rows) gram += a * a.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gram);
   Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-  const double least = least_singular_value * least_singular_value * solver.eigenvalues()[2];
   for (int i = 0; i < 3; ++i) {
-    const double value = solver.eigenvalues()[i];
     const Vec3 direction = solver.eigenvectors().col(i);
-    if (value > least) inverse += direction * direction.transpose() / value;
+    inverse += damped_inverse(solver.eigenvalues()[i], solver.eigenvalues()[2]) * direction * direction.transpose();
   }
   return inverse;
 }
@@ -51,7 +56,7 @@ void FilmShape::update(const FilmConnectivity& films, std::span<const Vec3> posi
     }
     const std::span<const Vec3> own{region_gradient.data() + films.first_entry[v],
                                     region_gradient.data() + films.first_entry[v + 1]};
-    map[v] = films.held[v] != 0 || own.empty() ? Eigen::Matrix3d::Zero() : pseudo_inverse(own);
+    map[v] = films.held[v] != 0 || own.empty() ? Eigen::Matrix3d::Zero() : damped_pseudo_inverse(own);
   });
 }
 
@@ -75,6 +80,18 @@ void balance(const FilmConnectivity& films, const FilmShape& shape, std::span<co
     for (std::size_t e = films.first_entry[v]; e < films.first_entry[v + 1]; ++e)
       pressure[e] = shape.region_gradient[e].dot(mapped);
   });
+}
+
+double unbalanced_power(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> force,
+                        std::span<const double> pressure, std::span<const Vec3> velocity) {
+  double power = 0;
+  for (std::size_t v = 0; v < films.vertex_slots(); ++v) {
+    Vec3 rest = force[v];
+    for (std::size_t e = films.first_entry[v]; e < films.first_entry[v + 1]; ++e)
+      rest -= pressure[e] * shape.region_gradient[e];
+    power += rest.dot(velocity[v]);
+  }
+  return power;
 }
 
 void fit_velocities(const FilmConnectivity& films, const FilmShape& shape, std::span<const double> flux,

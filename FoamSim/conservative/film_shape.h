@@ -14,7 +14,7 @@ struct FilmShape {
   std::vector<lostopos::Vec3> area_vector;      ///< N_t, by triangle, L²
   std::vector<double> area;                     ///< |N_t|
   std::vector<lostopos::Vec3> region_gradient;  ///< a_v^r = ∂V_r/∂x_v, by entry, L²
-  /// By vertex slot: the pseudo-inverse of Σ_r a_v^r (a_v^r)ᵀ, L⁻⁴. With it the least squares of the scheme are
+  /// By vertex slot: the damped pseudo-inverse of Σ_r a_v^r (a_v^r)ᵀ, L⁻⁴. With it the least squares of the scheme are
   /// P_r = a^r·(G⁺F) and u = G⁺ Σ_r a^r f^r. Zero where the vertex is held.
   std::vector<Eigen::Matrix3d> map;
 
@@ -22,9 +22,11 @@ struct FilmShape {
   void update(const FilmConnectivity& films, std::span<const lostopos::Vec3> positions);
 };
 
-/// Of the singular values of a vertex's stacked a_v^r, those below this share of the largest count as zero: a film's
-/// vertex sees one direction, a Plateau border's two, a Plateau vertex's three.
-constexpr double least_singular_value = 1e-4;
+/// A film's vertex sees one direction (the stacked a_v^r have one singular value that is not zero), a Plateau border's
+/// two, a Plateau vertex's three; what is seen with less than this share of the best (films that nearly lie in one
+/// plane, a film that is about to vanish) is damped, in the square of what is missing. Any symmetric map keeps forces
+/// and velocities adjoint, so that energy stays right, and a vertex in such a place is not thrown along its border.
+constexpr double weak_singular_value = 0.2;
 
 /// x_c − x_b for corner k of triangle t, cyclic: the edge opposite.
 inline lostopos::Vec3 opposite_edge(const FilmConnectivity& films, std::size_t t, std::size_t k,
@@ -41,6 +43,10 @@ void collect_fluxes(const FilmConnectivity& films, std::span<const lostopos::Vec
 /// over area. `force`: by vertex slot.
 void balance(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> force,
              std::span<double> pressure);
+
+/// Σ_v (F_v − Σ_r P_v^r a_v^r)·u_v, L⁵/T³: energy that velocities put in against forces that pressures do not balance.
+double unbalanced_power(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> force,
+                        std::span<const double> pressure, std::span<const lostopos::Vec3> velocity);
 
 /// Velocities (L/T) that have a_v^r·u_v = f_v^r, by least squares, and otherwise are as near to `tangential` as can be;
 /// 0 at held vertices. `flux`: by entry, L³/T.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "Base/parallel/for_each.h"
@@ -15,53 +14,70 @@ using lostopos::Vec3;
 
 namespace {
 
-// ω of a lattice of vertices over that of one: on regular triangles both Laplacians have 1.5 times their diagonal at
-// most.
-constexpr double lattice = 1.5;
+using Vectors = std::vector<Vec3>;
 
-Vec3 barycentre(const FilmConnectivity& films, std::size_t t, std::span<const Vec3> x) {
-  const auto& [a, b, c] = films.corners[t];
-  return (x[a] + x[b] + x[c]) / 3;
+double dot(const Vectors& a, const Vectors& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+  return sum;
 }
 
-// Squared angular frequency of v alone: u̇ = −¼ A⁺ M A⁺ᵀ H x with A⁺ = G⁺ Σ a; bounded by the trace.
-double squared_frequency(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> x, std::size_t v,
-                         double tension, double delta) {
-  const auto around = films.around(v);
-  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-  for (std::uint32_t corner : around) {
-    const std::size_t t = corner / 3;
-    if (!(shape.area[t] > 0)) continue;
-    const Vec3 normal = shape.area_vector[t] / shape.area[t];
-    stiffness += tension * opposite_edge(films, t, corner % 3, x).squaredNorm() / (4 * shape.area[t]) * normal *
-                 normal.transpose();
-  }
-  // γ of each triangle for unit φ, mapped to a force: γ_t = −opp (a^p − a^q)·G⁺ F.
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (std::uint32_t i : around)
-    for (std::uint32_t j : around) {
-      const std::size_t s = i / 3, t = j / 3;
-      const Vec3 ds = shape.region_gradient[films.front[s][i % 3]] - shape.region_gradient[films.back[s][i % 3]];
-      const Vec3 dt = shape.region_gradient[films.front[t][j % 3]] - shape.region_gradient[films.back[t][j % 3]];
-      const double distance =
-          std::sqrt((barycentre(films, s, x) - barycentre(films, t, x)).squaredNorm() + delta * delta);
-      inertia += opposite_edge(films, s, i % 3, x).dot(opposite_edge(films, t, j % 3, x)) *
-                 (std::numbers::inv_pi / 4 / distance) * ds * dt.transpose();
+// Numbers in [-1, 1) that are the same everywhere and have no pattern.
+double scattered(std::size_t i) {
+  const auto hashed = static_cast<std::uint32_t>((i + 1) * 2654435761U) ^ static_cast<std::uint32_t>(i >> 5);
+  return static_cast<double>(hashed % 65536) / 32768 - 1;
+}
+
+// H y, L⁴/T² for y in L.
+void restoring_force(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> x, double tension,
+                     const Vectors& y, Vectors& force) {
+  force.resize(y.size());
+  base::parallel_for_each(y.size(), film_grain, [&](std::size_t v) {
+    Vec3 sum = Vec3::Zero();
+    for (std::uint32_t corner : films.around(v)) {
+      const std::size_t t = corner / 3;
+      if (!(shape.area[t] > 0)) continue;
+      const Vec3 normal = shape.area_vector[t] / shape.area[t];
+      Vec3 slope = Vec3::Zero();
+      for (std::size_t k = 0; k < 3; ++k) slope += opposite_edge(films, t, k, x) * normal.dot(y[films.corners[t][k]]);
+      sum += tension / (4 * shape.area[t]) * opposite_edge(films, t, corner % 3, x).dot(slope) * normal;
     }
-  const Eigen::Matrix3d mapped = shape.map[v] * inertia * shape.map[v];
-  return std::max(0.0, (mapped * stiffness).trace() / 4);
+    force[v] = sum;
+  });
 }
 
 }  // namespace
 
 double stable_step(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
-                   double tension, double delta) {
-  std::vector<double> squares(films.vertex_slots(), 0.0);
-  base::parallel_for_each(films.vertex_slots(), 64, [&](std::size_t v) {
-    squares[v] = squared_frequency(films, shape, positions, v, tension, delta);
-  });
-  const double largest = squares.empty() ? 0.0 : *std::ranges::max_element(squares);
-  return largest > 0 ? 2 / (lattice * std::sqrt(largest)) : std::numeric_limits<double>::infinity();
+                   double tension, LocalResponse& response) {
+  constexpr int rounds = 8;
+  constexpr double from_below = 1.25;
+  if (!(tension > 0) || films.corners.empty()) return std::numeric_limits<double>::infinity();
+  Vectors y(films.vertex_slots()), force, moved;
+  for (std::size_t v = 0; v < y.size(); ++v) y[v] = Vec3(scattered(3 * v), scattered(3 * v + 1), scattered(3 * v + 2));
+  double square = 0;
+  for (int round = 0; round < rounds; ++round) {
+    restoring_force(films, shape, positions, tension, y, force);
+    const double size = dot(y, force);
+    if (!(size > 0) || !std::isfinite(size)) break;
+    response.evaluate(force, moved);
+    square = std::max(square, dot(force, moved) / size);
+    const double scale = 1 / std::sqrt(dot(moved, moved));
+    if (!std::isfinite(scale)) break;
+    for (std::size_t v = 0; v < y.size(); ++v) y[v] = scale * moved[v];
+  }
+  return square > 0 ? 2 / (from_below * std::sqrt(square)) : std::numeric_limits<double>::infinity();
+}
+
+double resolved_step(const FilmConnectivity& films, std::span<const Vec3> positions, std::span<const Vec3> velocity) {
+  double fastest = 0;
+  for (const auto& corners : films.corners)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = corners[k], b = corners[(k + 1) % 3];
+      const double length = (positions[b] - positions[a]).squaredNorm();
+      if (length > 0) fastest = std::max(fastest, (velocity[b] - velocity[a]).squaredNorm() / length);
+    }
+  return fastest > 0 ? 1 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace foamsim

@@ -54,59 +54,41 @@ void Viscosity::laplacian(std::span<const Vec3> u, Vectors& out) const {
   });
 }
 
-void Viscosity::response(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
-                         std::span<const Vec3> force, Vectors& velocity) {
-  pressure_.resize(films.entries());
-  balance(films, shape, force, pressure_);
-  // A film's symbol is at most about h̄/2 for the waves that a mesh carries.
-  const double least_area = 0.3 * std::sqrt(3.0) / 4 * resolution_ * resolution_;
-  potential_.resize(films.corners.size());
-  base::parallel_for_each(films.corners.size(), film_grain, [&](std::size_t t) {
-    Vec3 strength = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-      strength -=
-          (pressure_[films.front[t][k]] - pressure_[films.back[t][k]]) / 2 * opposite_edge(films, t, k, positions);
-    potential_[t] = resolution_ / 2 / std::max(shape.area[t], least_area) * strength;
-  });
-  collect_fluxes(films, positions, potential_, flux_);
-  const Vectors still(films.vertex_slots(), Vec3::Zero());
-  velocity.resize(films.vertex_slots());
-  fit_velocities(films, shape, flux_, still, velocity);
-}
-
-// u' = u + dt S L u' with the response S (negative: a force ∂R/∂u slows down); L times that is symmetric:
-// (L − dt L S L) u' = L u.
-void Viscosity::add_force(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
-                          double dt, std::span<const Vec3> velocity, std::span<Vec3> force) {
-  constexpr int most_iterations = 60;
-  constexpr double enough = 1e-6;
-  Vectors u(velocity.begin(), velocity.end()), lu, slu, image, residual, direction;
-  const auto apply = [&](const Vectors& of, Vectors& out) {
-    laplacian(of, lu);
-    response(films, shape, positions, lu, slu);
-    laplacian(slu, out);
-    for (std::size_t v = 0; v < out.size(); ++v) out[v] = lu[v] - dt * out[v];
-  };
-  Vectors right;
-  laplacian(velocity, right);
-  apply(u, image);
-  residual = right;
-  add(residual, -1, image);
-  direction = residual;
-  double square = dot(residual, residual);
-  const double goal = enough * enough * dot(right, right);
-  for (int i = 0; i < most_iterations && square > goal; ++i) {
-    apply(direction, image);
-    const double curvature = dot(direction, image);
-    if (!(curvature > 0)) break;
-    add(u, square / curvature, direction);
-    add(residual, -square / curvature, image);
-    const double next = dot(residual, residual);
-    for (std::size_t v = 0; v < direction.size(); ++v) direction[v] = residual[v] + next / square * direction[v];
+// u' = u − dt S L u' with the response S. I + dt S L is symmetric and at least one in the product (v, w) = v·L w, and
+// there its condition is mild.
+int Viscosity::add_force(LocalResponse& response, double dt, std::span<const Vec3> velocity,
+                         std::span<Vec3> force) const {
+  constexpr double enough = 1e-9;
+  Vectors lu, residual, l_residual, image, l_image;
+  laplacian(velocity, lu);
+  response.evaluate(lu, residual);
+  for (Vec3& r : residual) r *= -dt;
+  laplacian(residual, l_residual);
+  Vectors direction = residual, l_direction = l_residual;
+  double square = dot(residual, l_residual);
+  const double goal = enough * enough * dot(velocity, lu);
+  int iterations = 0;
+  for (; iterations < most_iterations && square > goal; ++iterations) {
+    response.evaluate(l_direction, image);
+    laplacian(image, l_image);
+    for (std::size_t v = 0; v < image.size(); ++v) {
+      image[v] = direction[v] + dt * image[v];
+      l_image[v] = l_direction[v] + dt * l_image[v];
+    }
+    const double step = square / dot(direction, l_image);
+    add(lu, step, l_direction);
+    add(residual, -step, image);
+    add(l_residual, -step, l_image);
+    const double next = dot(residual, l_residual);
+    const double turn = next / square;
+    for (std::size_t v = 0; v < direction.size(); ++v) {
+      direction[v] = residual[v] + turn * direction[v];
+      l_direction[v] = l_residual[v] + turn * l_direction[v];
+    }
     square = next;
   }
-  laplacian(u, lu);
   add(force, 1, lu);
+  return iterations;
 }
 
 }  // namespace foamsim

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "FoamSim/conservative/film_shape.h"
+#include "FoamSim/conservative/local_response.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace foamsim {
@@ -13,19 +13,21 @@ namespace foamsim {
 /// the mesh; shear and dilation are damped alike.
 class Viscosity {
  public:
-  /// `coefficient`: η, surface viscosity over air density, L³/T, ≥ 0. `resolution`: h̄, L.
-  Viscosity(double coefficient, double resolution) : coefficient_(coefficient), resolution_(resolution) {}
+  /// `coefficient`: η, surface viscosity over air density, L³/T, ≥ 0.
+  explicit Viscosity(double coefficient) : coefficient_(coefficient) {}
 
   bool acts() const { return coefficient_ > 0; }
   /// The edges of films, to be called after the mesh has changed.
   void connect(const lostopos::SurfaceMesh& mesh, std::span<const std::uint8_t> solid);
 
   /// Adds the force (L⁴/T²) of a step dt (T) from velocities u (L/T, by vertex slot). It is that of the velocities at
-  /// the step's end, as far as a local stand-in for the air's response tells them: linearly implicit, so that no step
-  /// is too long for it. A system of two Laplacians is solved by conjugate gradients, 60 iterations at most; fewer make
-  /// the force one of less implicit a step.
-  void add_force(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> positions,
-                 double dt, std::span<const lostopos::Vec3> velocity, std::span<lostopos::Vec3> force);
+  /// the step's end, as far as the local response tells them: linearly implicit, so that short waves are damped
+  /// soundly however strong it is. (Waves as long as the bubbles ask for η dt below about four of their radii.) A
+  /// system of two Laplacians is solved by conjugate gradients to nine digits. Returns how many iterations that took;
+  /// after `most_iterations` the force is one of less implicit a step.
+  int add_force(LocalResponse& response, double dt, std::span<const lostopos::Vec3> velocity,
+                std::span<lostopos::Vec3> force) const;
+  static constexpr int most_iterations = 60;
 
  private:
   using Vectors = std::vector<lostopos::Vec3>;
@@ -34,15 +36,10 @@ class Viscosity {
     double weight;
   };
   void laplacian(std::span<const lostopos::Vec3> u, Vectors& out) const;
-  // What a force does to the velocities in a unit of time by the air around the vertex alone.
-  void response(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> positions,
-                std::span<const lostopos::Vec3> force, Vectors& velocity);
 
-  double coefficient_, resolution_;
+  double coefficient_;
   std::vector<std::uint32_t> first_;  // by vertex slot + 1
   std::vector<Neighbour> neighbours_;
-  std::vector<double> pressure_, flux_;
-  Vectors potential_;
 };
 
 }  // namespace foamsim

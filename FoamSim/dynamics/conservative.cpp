@@ -43,10 +43,10 @@ double Conservative::attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& st
   delta_ = start.delta > 0 ? start.delta : 0.5 * start.resolution;
   // A vertex has a third of six equilateral triangles, at a border of three in each film.
   const double regular = std::sqrt(3.0) / 4 * start.resolution * start.resolution;
-  const NearField near = options_.near_field ? NearField(delta_, 0.5 * regular) : NearField();
-  motion_.emplace(delta_, near);
-  change_.emplace(delta_, near);
-  viscosity_.emplace(options_.viscosity, start.resolution);
+  if (options_.near_field) near_ = NearField(delta_, 0.5 * regular);
+  motion_.emplace(delta_, near_);
+  change_.emplace(delta_, near_);
+  viscosity_.emplace(options_.viscosity);
   potential_.emplace(mesh, options_.conserving_transfers);
   return delta_;
 }
@@ -130,42 +130,61 @@ void Conservative::evaluate(StepScope& scope, double after, std::span<const Vec3
     motion_->evaluate(films_, shape_, x, phi, PairTerms::all);
   }
   const base::TimedScope timed(scope.report().times, "forces");
-  if (options_.tangential)
-    mean_at_vertices(films_, shape_, motion_->velocity(), tangential_);
-  else
+  if (options_.tangential == Tangential::none)
     tangential_.assign(films_.vertex_slots(), Vec3::Zero());
+  else
+    mean_at_vertices(films_, shape_, motion_->velocity(), tangential_);
   rates.x.resize(films_.vertex_slots());
   fit_velocities(films_, shape_, motion_->flux(), tangential_, rates.x);
+  if (options_.tangential == Tangential::smoothed) {
+    add_smoothing(films_, shape_, x, rates.x, tangential_);
+    fit_velocities(films_, shape_, motion_->flux(), tangential_, rates.x);
+  }
   force_.assign(films_.vertex_slots(), Vec3::Zero());
   scope.add_force(after, x, force_);
   if (options_.inertia) motion_->add_inertia(films_, shape_, x, rates.x, force_);
   rates.phi.resize(films_.entries());
   balance(films_, shape_, force_, rates.phi);
+  slip_power_ = unbalanced_power(films_, shape_, force_, rates.phi, rates.x);
   for (double& rate : rates.phi) rate /= 2;
 }
 
 void Conservative::kick_drift(StepScope& scope, Positions& predicted) {
   const double dt = scope.step().dt;
   predicted.assign(scope.positions().begin(), scope.positions().end());
-  shape_.update(films_, predicted);
   StepReport& report = scope.report();
-  report.stable_dt = stable_step(films_, shape_, predicted, scope.tension(), delta_);
-  report.substeps =
-      std::clamp(static_cast<long>(std::ceil(dt / (options_.safety * report.stable_dt))), 1L, options_.most_substeps);
-  const double part = dt / static_cast<double>(report.substeps);
-  for (long i = 0; i < report.substeps; ++i) {
-    if (i > 0) phi_ = new_phi_;
-    substep(scope, static_cast<double>(i) * part, part, predicted);
+  report.substeps = 0;
+  double done = 0;
+  for (long left = options_.most_substeps; left > 0; --left) {
+    if (report.substeps > 0) phi_ = new_phi_;
+    evaluate(scope, done, predicted, phi_, rates_);
+    if (report.substeps == 0) take_back_remeshing(scope);
+    LocalResponse response(films_, shape_, predicted, delta_, near_);
+    const double longest = longest_substep(scope, predicted, response);
+    const double parts = std::clamp(std::ceil((dt - done) / longest), 1.0, static_cast<double>(left));
+    ++report.substeps;
+    substep(scope, done, parts > 1 ? (dt - done) / parts : dt - done, response, predicted);
+    if (!(parts > 1)) break;
+    done += (dt - done) / parts;
   }
 }
 
-void Conservative::substep(StepScope& scope, double after, double dt, Positions& x) {
+// By what the films' stiffness and their speed allow now.
+double Conservative::longest_substep(StepScope& scope, std::span<const Vec3> x, LocalResponse& response) const {
+  const base::TimedScope timed(scope.report().times, "step length");
+  const double stable = stable_step(films_, shape_, x, scope.tension(), response);
+  double& shortest = scope.report().stable_dt;
+  shortest = scope.report().substeps == 0 ? stable : std::min(shortest, stable);
+  return std::min(options_.safety * stable, options_.largest_strain * resolved_step(films_, x, rates_.x));
+}
+
+void Conservative::substep(StepScope& scope, double after, double dt, LocalResponse& response, Positions& x) {
   const bool first = after == 0;
-  evaluate(scope, after, x, phi_, rates_);
-  if (first) take_back_remeshing(scope);
   const base::TimedScope timed(scope.report().times, "kick");
   if (viscosity_->acts()) {
-    viscosity_->add_force(films_, shape_, x, dt, rates_.x, force_);
+    const long iterations = viscosity_->add_force(response, dt, rates_.x, force_);
+    long& most = scope.report().viscosity_iterations;
+    most = std::max(most, iterations);
     balance(films_, shape_, force_, rates_.phi);
     for (double& rate : rates_.phi) rate /= 2;
   }
@@ -275,11 +294,12 @@ void Conservative::take_back_remeshing(StepScope& scope) {
 void Conservative::correct(StepScope& scope, std::vector<double>& phi) {
   if (!options_.correction || !kept_) return;
   // No more than a fifth of the kinetic energy: of air nearly at rest there is nothing to be had.
-  // Of a change in the kick half shows at once: half of what is missing a step.
+  // Of a change in the kick half shows at once: half of what is missing a step, a little more of energy, and what the
+  // step to come is about to put in by moving the mesh along the films.
   Invariants wanted = missing_;
   wanted.impulse /= 2;
   wanted.angular_impulse /= 2;
-  wanted.energy /= 2;
+  wanted.energy = 0.8 * wanted.energy - scope.step().dt * slip_power_;
   const double most = 0.2 * std::max(0.0, motion_->kinetic_energy());
   wanted.energy = std::clamp(wanted.energy, -most, viscosity_->acts() ? 0.0 : most);
   scope.report().correction +=

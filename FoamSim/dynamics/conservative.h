@@ -5,6 +5,7 @@
 #include "FoamSim/conservative/correction.h"
 #include "FoamSim/conservative/film_motion.h"
 #include "FoamSim/conservative/film_shape.h"
+#include "FoamSim/conservative/mesh_motion.h"
 #include "FoamSim/conservative/potential.h"
 #include "FoamSim/conservative/viscosity.h"
 #include "FoamSim/dynamics/dynamics.h"
@@ -22,12 +23,13 @@ struct ConservativeOptions {
   Stepping stepping = Stepping::kick_drift;
   bool near_field = true;
   bool inertia = true;
-  bool tangential = true;  ///< the mesh goes along the films with the air; else along their normals only
+  Tangential tangential = Tangential::smoothed;
   bool conserving_transfers = true;
-  double viscosity = 0;     ///< η, surface viscosity over air density, L³/T
-  double safety = 0.5;      ///< share of the longest stable step that is used
-  long most_substeps = 16;  ///< a step is made in as many as that share asks for
-  bool correction = true;   ///< what is left of energy and impulse lost or won is given back
+  double viscosity = 0;         ///< η, surface viscosity over air density, L³/T
+  double safety = 0.75;         ///< share of the longest stable step that is used
+  double largest_strain = 0.4;  ///< change of an edge in a substep, as a share of its length
+  long most_substeps = 16;      ///< a step is made in as many as these two ask for
+  bool correction = true;       ///< what is left of energy and impulse lost or won is given back
 };
 
 /// Films as a mechanical system (docs/method.md "A conservative scheme"): velocities are the adjoint of forces, so that
@@ -55,8 +57,9 @@ class Conservative final : public Dynamics {
   void evaluate(StepScope& scope, double after, std::span<const lostopos::Vec3> x, std::span<const double> phi,
                 Rates& rates);
   void kick_drift(StepScope& scope, Positions& predicted);
-  // One kick of φ and the drift with it, from `after` on; the first of a step measures.
-  void substep(StepScope& scope, double after, double dt, Positions& x);
+  double longest_substep(StepScope& scope, std::span<const lostopos::Vec3> x, LocalResponse& response) const;
+  // One kick of φ and the drift with it, from `after` on, by rates that are evaluated; the first of a step measures.
+  void substep(StepScope& scope, double after, double dt, LocalResponse& response, Positions& x);
   void midpoint(StepScope& scope, Positions& predicted);
   void rk4(StepScope& scope, Positions& predicted);
   void expect_kinetic_energy(double dt, std::span<const lostopos::Vec3> x, std::span<const double> flux);
@@ -73,6 +76,7 @@ class Conservative final : public Dynamics {
   FilmConnectivity films_;
   FilmShape shape_;
   std::optional<Viscosity> viscosity_;
+  NearField near_;
   std::optional<FilmMotion> motion_, change_;  // of φ, and of its change by a kick
   std::vector<double> phi_, new_phi_, stage_phi_;
   Positions tangential_, force_, stage_x_;
@@ -81,6 +85,7 @@ class Conservative final : public Dynamics {
   Invariants missing_;                             // what it had too little
   lostopos::Vec3 about_ = lostopos::Vec3::Zero();  // the point of the angular impulse, so that a shift changes nothing
   double expected_kinetic_ = 0;
+  double slip_power_ = 0;      // of the last evaluation: forces that no pressure balances, times velocities
   double surface_energy_ = 0;  // of the positions that the last step predicted
 };
 

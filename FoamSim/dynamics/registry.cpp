@@ -1,5 +1,8 @@
 #include "FoamSim/dynamics/registry.h"
 
+#include <algorithm>
+#include <array>
+
 #include "FoamSim/dynamics/conservative.h"
 #include "FoamSim/dynamics/vortex_sheet.h"
 
@@ -8,30 +11,41 @@ namespace {
 
 using Made = std::unique_ptr<Dynamics>;
 
-struct SteppingName {
+template <class Choice>
+struct Named {
   const char* name;
-  Stepping stepping;
+  Choice choice;
 };
-constexpr SteppingName steppings[] = {
-    {"kick-drift", Stepping::kick_drift}, {"midpoint", Stepping::midpoint}, {"rk4", Stepping::rk4}};
+constexpr std::array steppings{Named<Stepping>{"kick-drift", Stepping::kick_drift},
+                               Named<Stepping>{"midpoint", Stepping::midpoint}, Named<Stepping>{"rk4", Stepping::rk4}};
+constexpr std::array tangentials{Named<Tangential>{"none", Tangential::none}, Named<Tangential>{"air", Tangential::air},
+                                 Named<Tangential>{"smoothed", Tangential::smoothed}};
 
-Stepping stepping_of(const std::string& name) {
-  for (const SteppingName& entry : steppings)
-    if (name == entry.name) return entry.stepping;
-  return Stepping::kick_drift;
+template <class Choice, std::size_t n>
+std::vector<std::string> names_of(const std::array<Named<Choice>, n>& choices) {
+  std::vector<std::string> names;
+  for (const auto& entry : choices) names.emplace_back(entry.name);
+  return names;
+}
+
+// Of the words that the specification allows.
+template <class Choice, std::size_t n>
+Choice choice_of(const std::array<Named<Choice>, n>& choices, const std::string& name) {
+  return std::ranges::find(choices, name, &Named<Choice>::name)->choice;
 }
 
 std::vector<base::OptionSpec> conservative_options() {
-  std::vector<std::string> names;
-  for (const SteppingName& entry : steppings) names.emplace_back(entry.name);
   return {
       base::word_from("stepping", std::string("kick-drift"), "how circulation and positions are advanced", "stepping",
-                      names),
+                      names_of(steppings)),
       base::non_negative_number("viscosity", 0, "surface viscosity of the films over air density, L^3/T"),
-      base::whole_number("most_substeps", 16, 1, "parts that a step is made in where the stiffest vertex asks for it"),
+      base::whole_number("most_substeps", 16, 1, "parts that a step is made in where stiff or fast films ask for it"),
+      base::positive_number("safety", 0.75, "such a part is at most this share of what the stiffest films bear"),
+      base::positive_number("largest_strain", 0.4, "nor does an edge change by more in it, as a share of its length"),
       base::flag("near_field", true, "put back at short distances what the regularisation takes"),
       base::flag("inertia", true, "the force that keeps kinetic energy while the mesh moves"),
-      base::flag("tangential", true, "the mesh goes along the films with the air; else along their normals only"),
+      base::word_from("tangential", std::string("smoothed"), "how the mesh goes along the films", "tangential motion",
+                      names_of(tangentials)),
       base::flag("correction", true, "what energy and impulse are still lost or won is given back"),
       base::flag("conserving_transfers", true, "remeshing keeps the integral of circulation over films")};
 }
@@ -39,13 +53,15 @@ std::vector<base::OptionSpec> conservative_options() {
 Made make_conservative(const DynamicsSetup& setup) {
   const base::OptionSet& options = setup.options;
   ConservativeOptions own;
-  own.stepping = stepping_of(options.word("stepping"));
+  own.stepping = choice_of(steppings, options.word("stepping"));
   own.near_field = options.flag("near_field");
   own.inertia = options.flag("inertia");
-  own.tangential = options.flag("tangential");
+  own.tangential = choice_of(tangentials, options.word("tangential"));
   own.conserving_transfers = options.flag("conserving_transfers");
   own.correction = options.flag("correction");
   own.viscosity = options.number("viscosity");
+  own.safety = options.number("safety");
+  own.largest_strain = options.number("largest_strain");
   own.most_substeps = options.whole("most_substeps");
   return std::make_unique<Conservative>(own);
 }

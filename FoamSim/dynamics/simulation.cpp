@@ -44,7 +44,14 @@ Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, Simul
   delta_ = parts_.dynamics->attach(tracker_->mesh(), {resolution_, options.delta});
   for (const auto& effect : parts_.effects) effect->attach(tracker_->mesh());
   for (const auto& constraint : parts_.constraints) constraint->attach(*tracker_);
-  if (parts_.dynamics->remeshes_start() && options_.tracker.remeshing) tracker_->remesh();
+  geometry_.update(tracker_->mesh(), solid());
+  if (parts_.dynamics->remeshes_start() && options_.tracker.remeshing) remesh_start();
+}
+
+void Simulation::remesh_start() {
+  StepReport report;
+  tracker_->remesh();
+  settle(report);
   geometry_.update(tracker_->mesh(), solid());
 }
 

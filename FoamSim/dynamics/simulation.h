@@ -78,6 +78,7 @@ class Simulation {
   StepReport make_step();
   EffectStep effect_step() const;
   void track(StepReport& report);
+  void remesh_start();
   void settle(StepReport& report);
 
   SimulationOptions options_;

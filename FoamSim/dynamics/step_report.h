@@ -19,8 +19,9 @@ struct StepReport {
   double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
   /// @name Of the conservative dynamics; else as they are here
   ///@{
-  double stable_dt = 0;   ///< longest step that the stiffest vertex bears, T
-  long substeps = 1;      ///< in which the step was made for that
+  double stable_dt = 0;           ///< longest step that the stiffest films bear, T
+  long substeps = 1;              ///< in which the step was made for that, and for speed
+  long viscosity_iterations = 0;  ///< most that a substep's implicit viscosity took; 60: it was not solved in full
   double correction = 0;  ///< change of φ that gave back energy and impulse, root mean square as a share of φ's
   /// What move, topology and remeshing of the step before have put into the films and into the air, L⁵/T².
   double tracker_surface_energy = 0, tracker_kinetic_energy = 0;

@@ -34,6 +34,7 @@ void take_tracker_counts(const StepReport& report, Metrics& m) {
   m.remesh = report.remesh;
   m.stable_dt = report.stable_dt;
   m.substeps = report.substeps;
+  m.viscosity_iterations = report.viscosity_iterations;
   m.correction = report.correction;
   m.tracker_surface_energy = report.tracker_surface_energy;
   m.tracker_kinetic_energy = report.tracker_kinetic_energy;

@@ -30,6 +30,7 @@ struct Metrics {
   long velocity_evaluations = 0;        ///< in the step
   double stable_dt = 0;                 ///< of the conservative scheme, see StepReport, T
   long substeps = 1;
+  long viscosity_iterations = 0;
   double correction = 0;
   double tracker_surface_energy = 0, tracker_kinetic_energy = 0;  ///< L⁵/T²
   double motion_fraction = 1;                                     ///< of the predicted motion that the tracker could do

@@ -68,6 +68,7 @@ const std::vector<Column>& columns() {
       {"topology_seconds", [](const Metrics& m) { return cell_text(m.topology_seconds); }},
       {"stable_dt", [](const Metrics& m) { return cell_text(m.stable_dt); }},
       {"substeps", [](const Metrics& m) { return cell_text(m.substeps); }},
+      {"viscosity_iterations", [](const Metrics& m) { return cell_text(m.viscosity_iterations); }},
       {"correction", [](const Metrics& m) { return cell_text(m.correction); }},
       {"tracker_surface_energy", [](const Metrics& m) { return cell_text(m.tracker_surface_energy); }},
       {"tracker_kinetic_energy", [](const Metrics& m) { return cell_text(m.tracker_kinetic_energy); }},

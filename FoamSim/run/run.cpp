@@ -50,7 +50,7 @@ lostopos::run::Output output_of(const Scene& scene, const RunSettings& settings,
                                               {"command", settings.command},
                                               {"scene", scene.name},
                                               {"mesh_file", scene.mesh_file},
-                                              {"options", base::options_to_json(scene.options)},
+                                              {"options", base::options_to_json(options_in_use(scene.options))},
                                               {"seed", scene.options.whole("seed")}};
   return {.folder = folder,
           .force = settings.force,

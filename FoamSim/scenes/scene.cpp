@@ -169,6 +169,22 @@ std::vector<std::string> effects_of(const base::OptionSet& options) {
   return names;
 }
 
+base::OptionSet options_in_use(const base::OptionSet& options) {
+  base::OptionSet used = options;
+  const auto fill_in = [&used](const char* key, const base::OptionValue& value) {
+    if (!used.is_set(key)) used.set_default(key, value);
+  };
+  fill_in("effects", effects_of(options));
+  if (options.word("dynamics") == "conservative") {
+    // The scheme keeps volumes, so remeshing must not be what changes them; and it rests where the area of the mesh is
+    // least, which is the nearer to the films' rest the better its triangles are.
+    fill_in("remeshing.max_volume_change", 0.002);
+    fill_in("remeshing.smooth_below", 45.0);
+    fill_in("remeshing.longest_edge", 1.35);
+  }
+  return used;
+}
+
 std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue) {
   std::vector<base::OptionSpec> specs = general_option_specs(catalogue);
   for (base::OptionSpec& spec : lostopos::tracker_option_specs(tracker_defaults())) specs.push_back(std::move(spec));
@@ -238,11 +254,9 @@ SurfaceMesh build_surface(const Scene& scene) {
   return start_surface(scene).mesh;
 }
 
-SimulationOptions simulation_options(const base::OptionSet& options) {
-  lostopos::TrackerOptions tracker = lostopos::tracker_options(options);
-  // The scheme keeps volumes: remeshing must not be what changes them.
-  if (options.word("dynamics") == "conservative" && !options.is_set("remeshing.max_volume_change"))
-    tracker.remesh.max_volume_change = 0.002;
+SimulationOptions simulation_options(const base::OptionSet& given) {
+  const base::OptionSet options = options_in_use(given);
+  const lostopos::TrackerOptions tracker = lostopos::tracker_options(options);
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),

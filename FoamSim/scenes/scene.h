@@ -22,6 +22,10 @@ struct Scene {
 /// energy there, and keep volumes.
 std::vector<std::string> effects_of(const base::OptionSet& options);
 
+/// The options as the scene uses them: with the defaults that other options bring along (those of `conservative`:
+/// effects and bounds of remeshing) filled in.
+base::OptionSet options_in_use(const base::OptionSet& options);
+
 /// The options that every scene has, with their defaults: the general ones, the tracker's, and those of every effect,
 /// strategy and so on of the catalogue.
 std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue);

@@ -85,6 +85,8 @@ std::unique_ptr<MeasuredMotion> simulated(const CaseSetup& setup, SurfaceMesh me
   Scene scene = scene_for(setup);
   scene.options.set("dt", options.dt, "stability study");
   scene.options.set("sigma", options.sigma, "stability study");
+  if (scene.options.is_set("viscosity"))
+    scene.options.set("viscosity", options.viscosity * scene.options.number("viscosity"), "stability study");
   const double resolution = options.resolution > 0 ? options.resolution : lostopos::mean_edge_length(mesh);
   Simulation simulation = make_simulation(scene, std::move(mesh), resolution, {});
   if (options.circulation) options.circulation(simulation.mesh(), simulation.circulation());

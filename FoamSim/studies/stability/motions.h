@@ -9,6 +9,7 @@ struct SimulatedOptions {
   double dt = 0.01;       ///< T
   double resolution = 0;  ///< h̄, L; 0: the mean over the start mesh's edges
   double sigma = 1;       ///< L³/T²
+  double viscosity = 1;   ///< times that of the method, L³/T, where it has one
   /// Sets Γ at the start; none: at rest.
   std::function<void(const lostopos::SurfaceMesh&, CirculationField&)> circulation = {};
 };

@@ -13,7 +13,7 @@ struct StabilityOptions {
   std::vector<std::string> areas{"naive", "constant-edge", "averaged"};  ///< strategies
   std::vector<bool> remeshing{true, false};
   double steps_scale = 1;     ///< multiplies the steps of cases that may be shortened, in (0, 10]
-  double most_seconds = 300;  ///< wall time of one motion; a longer one is stopped and fails; > 0
+  double most_seconds = 900;  ///< wall time of one motion; a longer one is stopped and fails; > 0
 };
 
 /// One combination of case, strategy and remeshing: what came of it.

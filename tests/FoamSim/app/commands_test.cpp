@@ -135,6 +135,7 @@ TEST(Options, EachOneHasAnEffect) {
       {"remeshing.max_volume_change",
        "run sphere --set remeshing.longest_edge=1.05 --set remeshing.butterfly=true --set "
        "remeshing.max_volume_change=1e-12"},
+      {"remeshing.smooth_below", "run doublebubble --set remeshing.smooth_below=60"},
       {"remeshing.smoothing", "run doublebubble --set n=16 --set remeshing.smoothing=false"},
       {"remeshing.butterfly", "run sphere --set remeshing.longest_edge=1.05 --set remeshing.butterfly=true"},
       {"sigma", "run doublebubble --set sigma=2"},
@@ -149,9 +150,11 @@ TEST(Options, EachOneHasAnEffect) {
       {"viscosity", "run doublebubble --set dynamics=conservative --set viscosity=0.3"},
       {"near_field", "run doublebubble --set dynamics=conservative --set near_field=false"},
       {"inertia", "run doublebubble --set dynamics=conservative --set inertia=false"},
-      {"tangential", "run doublebubble --set dynamics=conservative --set tangential=false"},
+      {"tangential", "run doublebubble --set dynamics=conservative --set tangential=none"},
       {"correction", "run doublebubble --set dynamics=conservative --set correction=false"},
       {"most_substeps", "run doublebubble --set dynamics=conservative --set dt=0.04 --set most_substeps=1"},
+      {"safety", "run doublebubble --set dynamics=conservative --set dt=0.04 --set safety=0.2"},
+      {"largest_strain", "run doublebubble --set dynamics=conservative --set dt=0.04 --set largest_strain=0.001"},
       {"conserving_transfers",
        "run doublebubble --set dynamics=conservative --set n=24 --set time=0.3 --set conserving_transfers=false"},
   };
@@ -188,6 +191,7 @@ TEST(Options, EachOneHasAnEffect) {
                     remeshed = outcome("run doublebubble --set dynamics=conservative --set n=24 --set time=0.3");
   const std::set<std::string> of_conservative{"stepping", "viscosity",  "near_field",
                                               "inertia",  "tangential", "correction"};
+  const std::set<std::string> of_long_steps{"most_substeps", "safety", "largest_strain"};
   for (const base::OptionSpec& spec : all_options()) {
     const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
     if (spec.key.starts_with("tracker.")) continue;                  // seen where films collide: TrackerOptionsOfScenes
@@ -196,7 +200,7 @@ TEST(Options, EachOneHasAnEffect) {
     ASSERT_NE(it, changes.end()) << spec.key << " has no case here";
     if (spec.key == "checkpoint_every") continue;  // seen by an interrupted run only: InterruptedRun.CanBeResumed
     const std::string& base = of_conservative.contains(spec.key)                                      ? conservative
-                              : spec.key == "most_substeps"                                           ? long_steps
+                              : of_long_steps.contains(spec.key)                                      ? long_steps
                               : spec.key == "conserving_transfers"                                    ? remeshed
                               : spec.key == "mode"                                                    ? sphere
                               : spec.key == "amplitude"                                               ? mode

@@ -45,7 +45,7 @@ double energy(const StepReport& report) {
 }
 
 ConservativeOptions as_derived() {
-  return {.stepping = Stepping::rk4, .near_field = false, .tangential = false, .correction = false};
+  return {.stepping = Stepping::rk4, .near_field = false, .tangential = Tangential::none, .correction = false};
 }
 
 struct Printed {

@@ -14,7 +14,8 @@ CaseRun run(const CaseSetup& setup, std::string label, double scale) {
   auto start = [setup, scale] {
     lostopos::SurfaceMesh mesh = double_bubble(16);
     transform(mesh, scale, lostopos::Vec3::Zero());
-    return simulated(setup, std::move(mesh), {.sigma = scale * scale * scale});
+    const double volume = scale * scale * scale;
+    return simulated(setup, std::move(mesh), {.sigma = volume, .viscosity = volume});
   };
   return {std::move(label), start, scaled_steps(200, setup)};
 }
@@ -39,7 +40,8 @@ Verdict judge(std::span<const Trajectory> t) {
 
 StabilityCase scaled_lengths() {
   return {.name = "scaled",
-          .summary = "double bubble (N = 16) with lengths times 2^20 and 2^-20, sigma with the cube, 200 steps",
+          .summary =
+              "double bubble (N = 16) with lengths times 2^20 and 2^-20, sigma and viscosity with the cube, 200 steps",
           .criterion = "the same motion to 1e-12: measures of every step and all vertices at the end",
           .typical_triangles = 1000,
           .runs = runs,

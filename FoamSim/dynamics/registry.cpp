@@ -24,6 +24,7 @@ constexpr std::array tangentials{Named<Tangential>{"none", Tangential::none}, Na
 template <class Choice, std::size_t n>
 std::vector<std::string> names_of(const std::array<Named<Choice>, n>& choices) {
   std::vector<std::string> names;
+  names.reserve(n);
   for (const auto& entry : choices) names.emplace_back(entry.name);
   return names;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Base/parallel/for_each.h"
+#include "FoamSim/conservative/vertex_vectors.h"
 
 namespace foamsim {
 
@@ -15,12 +16,6 @@ using lostopos::Vec3;
 namespace {
 
 using Vectors = std::vector<Vec3>;
-
-double dot(const Vectors& a, const Vectors& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
 
 // Numbers in [-1, 1) that are the same everywhere and have no pattern.
 double scattered(std::size_t i) {

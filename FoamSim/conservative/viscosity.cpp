@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Base/parallel/for_each.h"
+#include "FoamSim/conservative/vertex_vectors.h"
 
 namespace foamsim {
 
@@ -14,13 +15,6 @@ using lostopos::Vec3;
 using lostopos::Vertex;
 
 namespace {
-
-// In the order of the entries, on one thread: the same bits always.
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
 
 void add(std::span<Vec3> to, double factor, std::span<const Vec3> what) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];

@@ -162,10 +162,11 @@ void Conservative::kick_drift(StepScope& scope, Positions& predicted) {
     LocalResponse response(films_, shape_, predicted, delta_, near_);
     const double longest = longest_substep(scope, predicted, response);
     const double parts = std::clamp(std::ceil((dt - done) / longest), 1.0, static_cast<double>(left));
+    const double part = (dt - done) / parts;
     ++report.substeps;
-    substep(scope, done, parts > 1 ? (dt - done) / parts : dt - done, response, predicted);
-    if (!(parts > 1)) break;
-    done += (dt - done) / parts;
+    substep(scope, done, part, response, predicted);
+    if (parts == 1) break;
+    done += part;
   }
 }
 

@@ -89,7 +89,7 @@ std::string manual_page(const CommandLine& line, const Manual& manual) {
 std::vector<std::pair<std::string, std::string>> manual_entries(const std::vector<OptionSpec>& specs) {
   std::vector<std::pair<std::string, std::string>> entries;
   for (const OptionSpec& spec : specs) {
-    const std::string value = to_text(spec.default_value);
+    const std::string value = to_text(spec, spec.default_value);
     entries.emplace_back(spec.key, spec.summary + (value.empty() ? "" : " (default: " + value + ")"));
   }
   return entries;

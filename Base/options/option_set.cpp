@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "Base/error.h"
 #include "Base/names/nearest_name.h"
@@ -28,8 +29,17 @@ void require_allowed(const OptionSpec& spec, const OptionValue& value, std::stri
   const auto* number = std::get_if<double>(&value);
   const bool finite = number == nullptr || std::isfinite(*number);
   if (finite && (!spec.accepts || spec.accepts(value))) return;
+  std::string others;
+  for (const auto& [word, named] : spec.named_numbers) others += ", or " + word;
   throw InputError(prefix(where) + spec.key + " = " + to_text(value) + " is not allowed; it has to be " +
-                   (spec.allowed.empty() ? "finite" : spec.allowed));
+                   (spec.allowed.empty() ? "finite" : spec.allowed) + others);
+}
+
+// A word that stands for a number is that number; it need not be one that could be given as such.
+std::optional<OptionValue> named_number(const OptionSpec& spec, const OptionValue& value) {
+  const auto* word = std::get_if<std::string>(&value);
+  const double* number = word == nullptr ? nullptr : find_named_number(spec, *word);
+  return number == nullptr ? std::nullopt : std::optional<OptionValue>(*number);
 }
 
 }  // namespace
@@ -52,17 +62,24 @@ std::size_t OptionSet::place_of(std::string_view key, std::string_view where) co
 
 void OptionSet::set_text(std::string_view key, std::string_view text, std::string_view where) {
   const std::size_t place = place_of(key, where);
+  if (find_named_number(specs_[place], text) != nullptr) return set(key, std::string(text), where);
   try {
     set(key, parse_option(text, specs_[place].default_value), where);
   } catch (const InputError& error) {
     const std::string message = error.what();
     if (message.starts_with(prefix(where)) && !where.empty()) throw;
-    throw InputError(prefix(where) + std::string(key) + ": " + message);
+    std::string others;
+    for (const auto& [word, named] : specs_[place].named_numbers) others += ", nor is it '" + word + "'";
+    throw InputError(prefix(where) + std::string(key) + ": " + message + others);
   }
 }
 
 void OptionSet::set(std::string_view key, const OptionValue& value, std::string_view where) {
   const std::size_t place = place_of(key, where);
+  if (std::optional<OptionValue> named = named_number(specs_[place], value)) {
+    entries_[place] = {std::move(*named), true};
+    return;
+  }
   OptionValue converted;
   try {
     converted = convert_option(value, specs_[place].default_value);
@@ -88,7 +105,8 @@ void OptionSet::append(std::string_view key, std::string_view words, std::string
 
 void OptionSet::set_default(std::string_view key, const OptionValue& value) {
   const std::size_t place = place_of(key, "default");
-  entries_[place].value = convert_option(value, specs_[place].default_value);
+  std::optional<OptionValue> named = named_number(specs_[place], value);
+  entries_[place].value = named ? std::move(*named) : convert_option(value, specs_[place].default_value);
 }
 
 void OptionSet::unset(std::string_view key) {

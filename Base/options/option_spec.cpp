@@ -1,8 +1,21 @@
 #include "Base/options/option_spec.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace base {
+
+std::string to_text(const OptionSpec& spec, const OptionValue& value) {
+  if (const auto* number = std::get_if<double>(&value))
+    for (const auto& [word, named] : spec.named_numbers)
+      if (named == *number) return word;
+  return to_text(value);
+}
+
+const double* find_named_number(const OptionSpec& spec, std::string_view word) {
+  const auto it = std::ranges::find(spec.named_numbers, word, &std::pair<std::string, double>::first);
+  return it == spec.named_numbers.end() ? nullptr : &it->second;
+}
 
 OptionSpec positive_number(std::string key, double default_value, std::string summary) {
   return {std::move(key), default_value, std::move(summary), "a finite number > 0", [](const OptionValue& value) {

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "Base/options/option_value.h"
@@ -23,7 +25,14 @@ struct OptionSpec {
   /// Not empty: the words that are allowed, and what they are names of, for messages.
   std::vector<std::string> words = {};
   std::string words_are = {};
+  /// Words that stand for numbers which nobody can give as such: {"auto", 0}, say, where numbers have to be > 0.
+  std::vector<std::pair<std::string, double>> named_numbers = {};
 };
+
+/// `value` of this option as written in a scene file.
+std::string to_text(const OptionSpec& spec, const OptionValue& value);
+/// The number that a word stands for with this option; null: none.
+const double* find_named_number(const OptionSpec& spec, std::string_view word);
 
 /// A finite number > 0 / ≥ 0, and a whole number ≥ least, as specs.
 OptionSpec positive_number(std::string key, double default_value, std::string summary);

@@ -11,7 +11,10 @@ using nlohmann::json;
 json options_to_json(const OptionSet& options) {
   json value = json::object();
   for (const OptionSpec& spec : options.specs())
-    std::visit([&](const auto& held) { value[spec.key] = held; }, options.value(spec.key));
+    if (std::string text = to_text(spec, options.value(spec.key)); find_named_number(spec, text) != nullptr)
+      value[spec.key] = std::move(text);
+    else
+      std::visit([&](const auto& held) { value[spec.key] = held; }, options.value(spec.key));
   return value;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 void print_option(const base::OptionSpec& spec) {
   std::printf("  %-18s %s (default %s)\n", spec.key.c_str(), spec.summary.c_str(),
-              base::to_text(spec.default_value).c_str());
+              base::to_text(spec, spec.default_value).c_str());
 }
 
 void print_scenes(const Catalogue& catalogue) {

@@ -8,7 +8,7 @@ namespace multitracker::app {
 namespace {
 
 void print_option(const base::OptionSpec& spec, const base::OptionValue& value) {
-  std::printf("  %-28s %s (default %s)\n", spec.key.c_str(), spec.summary.c_str(), base::to_text(value).c_str());
+  std::printf("  %-28s %s (default %s)\n", spec.key.c_str(), spec.summary.c_str(), base::to_text(spec, value).c_str());
 }
 
 void print_all() {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/options/options_json.h"
 
 namespace foamsim {
 namespace {
@@ -175,6 +177,26 @@ TEST(OptionValueKinds, ConvertOrThrow) {
   EXPECT_THROW(base::convert_option(true, 1L), base::InputError);
   EXPECT_THROW(base::convert_option(std::string("3"), 1.0), base::InputError);
   EXPECT_THROW(base::convert_option(Words{"a"}, std::string()), base::InputError);
+}
+
+// "auto" where numbers have to be > 0.
+TEST(OptionSetTest, WordsMayStandForNumbers) {
+  base::OptionSpec spec = base::positive_number("dt", 0.01, "step, T");
+  spec.named_numbers = {{"auto", 0}};
+  base::OptionSet options({spec});
+  options.set_text("dt", "auto", "--set");
+  EXPECT_EQ(options.number("dt"), 0);
+  EXPECT_EQ(base::to_text(spec, options.value("dt")), "auto");
+  EXPECT_EQ(base::to_text(spec, 0.5), "0.5");
+  const nlohmann::json written = base::options_to_json(options);
+  EXPECT_EQ(written.at("dt"), "auto");
+  base::OptionSet read({spec});
+  base::options_from_json(written, read);
+  EXPECT_EQ(read.number("dt"), 0);
+  options.set("dt", std::string("auto"), "scene.toml:1");
+  EXPECT_EQ(options.number("dt"), 0);
+  expect_parts(message_of([&] { options.set_text("dt", "0", "--set"); }), {"--set", "dt = ", "> 0", "or auto"});
+  expect_parts(message_of([&] { options.set_text("dt", "fast", "--set"); }), {"'fast' is not a number", "'auto'"});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/error.h"
+#include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/limits.h"
 #include "LosTopos/remeshing/remesher.h"
@@ -78,18 +79,24 @@ void SurfaceTracker::require_resolved(std::span<const Vec3> predicted) const {
 
 void SurfaceTracker::move_part(std::span<const Vec3> predicted, TrackerStep& done) {
   const base::TimedScope timed(done.move_seconds);
+  const double asked = total_area(mesh_, predicted);
   const MoveResult moved = move_to(predicted);
   done.move.statistics += moved.statistics;
   done.move.fraction += moved.fraction / done.parts;
+  done.move_area += total_area(mesh_) - asked;
 }
 
 void SurfaceTracker::improve(TrackerStep& done) {
+  const double moved = total_area(mesh_);
   {
     const base::TimedScope timed(done.topology_seconds);
     done.topology += change_topology();
   }
+  const double changed = total_area(mesh_);
   const base::TimedScope timed(done.remesh_seconds);
   done.remesh += remesh();
+  done.topology_area += changed - moved;
+  done.remesh_area += total_area(mesh_) - changed;
 }
 
 // Returns the length of the longest displacement, L.

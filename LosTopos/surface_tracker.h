@@ -36,6 +36,8 @@ struct TrackerStep {
   TopologyStatistics topology;
   RemeshStatistics remesh;
   double move_seconds = 0, topology_seconds = 0, remesh_seconds = 0;  ///< wall time
+  /// Area of the films (L²) that the move has made besides what was predicted, topology, and remeshing.
+  double move_area = 0, topology_area = 0, remesh_area = 0;
   int parts = 1;
 };
 

@@ -42,6 +42,16 @@ double total_area(const SurfaceMesh& mesh) {
   return sum;
 }
 
+double total_area(const SurfaceMesh& mesh, std::span<const Vec3> positions) {
+  double sum = 0;
+  for (Triangle t : mesh.triangles()) {
+    const auto& [a, b, c] = mesh.vertices(t);
+    const Vec3& x = positions[a.index()];
+    sum += (positions[b.index()] - x).cross(positions[c.index()] - x).norm() / 2;
+  }
+  return sum;
+}
+
 Vec3 surface_centroid(const SurfaceMesh& mesh) {
   // Relative to one of the vertices: a surface far from the origin keeps its digits.
   Vec3 origin = Vec3::Zero(), moment = Vec3::Zero();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "LosTopos/mesh/surface_mesh.h"
@@ -18,6 +19,8 @@ double length(const SurfaceMesh& mesh, Edge e);
 double mean_edge_length(const SurfaceMesh& mesh);
 /// Sum of the areas of all triangles (L²).
 double total_area(const SurfaceMesh& mesh);
+/// The same with the vertices at `positions` (L, by slot).
+double total_area(const SurfaceMesh& mesh, std::span<const Vec3> positions);
 /// Area-weighted centre of all triangles (L); zero for an empty mesh.
 Vec3 surface_centroid(const SurfaceMesh& mesh);
 

@@ -259,5 +259,20 @@ TEST(SurfaceTracker, LeavesFewGapsAndTheNumberingAlone) {
   EXPECT_TRUE(test::same_bits(before, mesh.state()));
 }
 
+// What a step does to the area is the predicted motion and what each stage adds.
+TEST(SurfaceTracker, TellsTheAreaThatEachStageHasMade) {
+  SurfaceTracker tracker = double_bubble_tracker(24);
+  std::vector<Vec3> predicted = positions_of(tracker.mesh());
+  // Two sides that would pass through each other: the move cannot do all of it.
+  for (Vec3& x : predicted) x.x() *= 0.9;
+  for (Vec3& x : predicted) x *= 1 + 0.05 * std::sin(7 * x.y());
+  const double asked = total_area(tracker.mesh(), predicted);
+  const TrackerStep done = tracker.step(predicted);
+  EXPECT_NEAR(total_area(tracker.mesh()), asked + done.move_area + done.topology_area + done.remesh_area,
+              1e-12 * asked);
+  EXPECT_NE(done.remesh_area, 0);
+  EXPECT_EQ(done.topology_area, 0) << "it is not enabled";
+}
+
 }  // namespace
 }  // namespace lostopos

@@ -30,6 +30,7 @@ fs::path find_script(const std::string& script) {
 
 bool succeeds(std::vector<std::string> words) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   pid_t child = 0;
@@ -57,6 +58,7 @@ std::vector<render::Image> draw_together(const std::vector<render::Surface>& sur
   framing.aspect = static_cast<double>(options.width) / options.height;
   const render::Camera camera = render::framing(surfaces, framing);
   std::vector<render::Image> images;
+  images.reserve(surfaces.size());
   for (const render::Surface& surface : surfaces) images.push_back(render::render(surface, camera, options));
   return images;
 }

@@ -55,7 +55,7 @@ render::RenderOptions render_options(const Arguments& arguments) {
 }
 
 Eigen::Vector3d view_of(const Arguments& arguments) {
-  const Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
+  Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
   require(view.allFinite() && view.norm() > 0, "--view has to be a direction, like 0 0 1");
   return view;
 }

@@ -109,6 +109,7 @@ bool figure1(const Arguments& arguments, const Program& program) {
     progress.reset();
     if (runs.back().outcome.end == RunEnd::interrupted) return false;
     std::vector<fs::path> rows;
+    rows.reserve(runs.size());
     for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
     draw_frames(rows, static_cast<std::size_t>(options.frames) + 1, sheet);
   }

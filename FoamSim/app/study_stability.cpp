@@ -6,6 +6,7 @@
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
+#include "FoamSim/scenes/methods.h"
 #include "FoamSim/studies/stability/stability_csv.h"
 
 namespace foamsim::app {
@@ -42,13 +43,14 @@ void print(const StabilityRow& row) {
 }
 
 int list_cases() {
-  const PhysicsLimits limits;
+  const PhysicsLimits limits, conservative = physics_limits(conservative_method);
   std::printf(
       "limits of physics, where nothing is put in: energy rises above its least so far by at most %g%% of the "
       "start's,\n"
       "volumes drift by at most %g%%, the impulse by %g%% of the largest sum of its parts' sizes; audits are "
-      "clean.\n\n",
-      100 * limits.energy_rise, 100 * limits.volume_drift, 100 * limits.impulse_drift);
+      "clean. The conservative scheme is held to %g%%, %g%% and %g%%.\n\n",
+      100 * limits.energy_rise, 100 * limits.volume_drift, 100 * limits.impulse_drift, 100 * conservative.energy_rise,
+      100 * conservative.volume_drift, 100 * conservative.impulse_drift);
   for (const StabilityCase& c : stability_cases())
     std::printf("%-17s %s\n%-17s holds: %s\n", std::string(c.name).c_str(), std::string(c.summary).c_str(), "",
                 std::string(c.criterion).c_str());
@@ -118,6 +120,11 @@ void add_study_stability(base::Command& study, const Program& program) {
                .names_only = true});
   command.add({.name = "--quick", .target = &arguments->quick, .help = "a twentieth of the steps"});
   command.add({.name = "--steps-scale", .target = &options.steps_scale, .help = "multiplies the number of steps"});
+  command.add({.name = "--set",
+               .target = &options.assignments,
+               .help = "key=value: an option that every case is simulated with; may be given several times",
+               .list = base::Argument::List::words,
+               .assigns = all_option_specs(*program.catalogue)});
   command.add({.name = "--case-seconds",
                .target = &options.most_seconds,
                .help = "wall time after which a motion is stopped and fails"});

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "FoamSim/scenes/methods.h"
+
 namespace foamsim {
 
 using lostopos::Vec3;
@@ -54,6 +56,11 @@ double sample_difference(const Metrics& a, const Metrics& b, double scale, const
 
 }  // namespace
 
+PhysicsLimits physics_limits(std::string_view method) {
+  if (method == conservative_method) return {.energy_rise = 0.002, .volume_drift = 0.001, .impulse_drift = 0.02};
+  return {};
+}
+
 PhysicsFigures physics_figures(const Trajectory& trajectory) {
   PhysicsFigures figures;
   double least_energy = std::numeric_limits<double>::infinity(), rise = 0, excess = 0, impulse = 0, scale = 0;
@@ -94,7 +101,8 @@ Judgement& Judgement::require_sound(const Trajectory& trajectory) {
   return require(trajectory.complete(), run + "ended after step " + std::to_string(trajectory.steps()));
 }
 
-Judgement& Judgement::require_physics(const Trajectory& trajectory, const PhysicsLimits& limits) {
+Judgement& Judgement::require_physics(const Trajectory& trajectory) {
+  const PhysicsLimits& limits = trajectory.limits;
   const PhysicsFigures figures = physics_figures(trajectory);
   const std::string run = trajectory.label.empty() ? "" : trajectory.label + ": ";
   require_sound(trajectory);
@@ -106,7 +114,8 @@ Judgement& Judgement::require_physics(const Trajectory& trajectory, const Physic
                  run + percent("impulse drifts by", figures.impulse_drift, limits.impulse_drift));
 }
 
-Judgement& Judgement::require_stable(const Trajectory& trajectory, const PhysicsLimits& limits) {
+Judgement& Judgement::require_stable(const Trajectory& trajectory) {
+  const PhysicsLimits& limits = trajectory.limits;
   const PhysicsFigures figures = physics_figures(trajectory);
   const std::string run = trajectory.label.empty() ? "" : trajectory.label + ": ";
   require_sound(trajectory);

@@ -8,13 +8,6 @@
 
 namespace foamsim {
 
-/// What physics allows a motion into which nothing is put: energy only falls, volumes and impulse stay.
-struct PhysicsLimits {
-  double energy_rise = 0.01;    ///< above the least energy so far, over the energy at the start
-  double volume_drift = 0.02;   ///< largest |V/V0 − 1| of a bubble
-  double impulse_drift = 0.05;  ///< largest |I − I0| over the largest Σ|2Γ̄ area|
-};
-
 /// How far a trajectory went from what physics allows.
 struct PhysicsFigures {
   double energy_rise = 0, volume_drift = 0, impulse_drift = 0;
@@ -40,10 +33,10 @@ class Judgement {
   /// The motion went all its way, every audit was clean, and everything stayed finite.
   Judgement& require_sound(const Trajectory& trajectory);
   /// Sound, and within the limits of physics.
-  Judgement& require_physics(const Trajectory& trajectory, const PhysicsLimits& limits = {});
-  /// Sound, and neither energy above that of the first step by more than `limits.energy_rise` of it, nor volumes lost:
+  Judgement& require_physics(const Trajectory& trajectory);
+  /// Sound, and neither energy above that of the first step by more than its limit of a rise, nor volumes lost:
   /// what an unstable step breaks first, while a strategy's own error of energy, the same at every dt, does not.
-  Judgement& require_stable(const Trajectory& trajectory, const PhysicsLimits& limits = {});
+  Judgement& require_stable(const Trajectory& trajectory);
   Judgement& set_figure(std::string name, std::optional<double> value);
   Verdict verdict() const { return verdict_; }
 

@@ -19,6 +19,7 @@ Scene scene_for(const CaseSetup& setup) {
   choose_method(scene.options, setup.area, "stability study");
   scene.options.set("remeshing.enabled", setup.remeshing, "stability study");
   scene.options.set("topology.enabled", setup.remeshing, "stability study");
+  for (const std::string& assignment : setup.assignments) scene.options.set_assignment(assignment, "--set");
   return scene;
 }
 
@@ -83,7 +84,7 @@ class PrescribedMotion final : public MeasuredMotion {
 
 std::unique_ptr<MeasuredMotion> simulated(const CaseSetup& setup, SurfaceMesh mesh, const SimulatedOptions& options) {
   Scene scene = scene_for(setup);
-  scene.options.set("dt", options.dt, "stability study");
+  if (!scene.options.is_set("dt")) scene.options.set("dt", options.dt, "stability study");
   scene.options.set("sigma", options.sigma, "stability study");
   if (scene.options.is_set("viscosity"))
     scene.options.set("viscosity", options.viscosity * scene.options.number("viscosity"), "stability study");

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "FoamSim/studies/stability/criteria.h"
 
@@ -13,7 +14,8 @@ namespace foamsim {
 struct CaseSetup {
   std::string area = "averaged";  ///< a strategy's name
   bool remeshing = true;
-  double steps_scale = 1;  ///< multiplies the steps of cases that may be shortened, > 0
+  double steps_scale = 1;                     ///< multiplies the steps of cases that may be shortened, > 0
+  std::vector<std::string> assignments = {};  ///< "key=value", in place of the case's own but for sigma
 };
 
 /// One motion of a case; a case that compares has several.

@@ -44,7 +44,7 @@ std::vector<Combination> combinations(const StabilityOptions& o) {
     for (const std::string& area : areas_for(what, o))
       for (bool remeshing : o.remeshing) {
         if (!remeshing && what.remeshing == Remeshing::on_only) continue;
-        const CaseSetup setup{area, remeshing, o.steps_scale};
+        const CaseSetup setup{area, remeshing, o.steps_scale, o.assignments};
         all.push_back({&what, setup, weight_of(what, setup)});
       }
   }
@@ -83,6 +83,12 @@ void validate(const StabilityOptions& o) {
   require(o.steps_scale > 0 && o.steps_scale <= 10, "stability study: the steps' scale has to be > 0 and at most 10");
   require(std::isfinite(o.most_seconds) && o.most_seconds > 0,
           "stability study: the bound on wall time has to be a finite time > 0");
+  for (const std::string& area : o.areas) {
+    Scene scene = built_in_scene("doublebubble");
+    choose_method(scene.options, area, "stability study");
+    for (const std::string& assignment : o.assignments) scene.options.set_assignment(assignment, "--set");
+    validate(scene);
+  }
 }
 
 std::optional<StabilityRow> run_stability_case(const StabilityCase& what, const CaseSetup& setup, double most_seconds,
@@ -94,6 +100,7 @@ std::optional<StabilityRow> run_stability_case(const StabilityCase& what, const 
     if (hooks.progress) shifted.progress = [&](long steps) { hooks.progress(before + steps); };
     trajectories.push_back(record(run.start, {.steps = run.steps, .most_seconds = most_seconds}, shifted));
     trajectories.back().label = run.label;
+    trajectories.back().limits = physics_limits(setup.area);
     if (trajectories.back().interrupted) return std::nullopt;
     before += run.steps;
   }

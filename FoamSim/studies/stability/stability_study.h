@@ -12,8 +12,9 @@ struct StabilityOptions {
   std::vector<std::string> cases{};                                      ///< names; empty: all
   std::vector<std::string> areas{"naive", "constant-edge", "averaged"};  ///< strategies
   std::vector<bool> remeshing{true, false};
-  double steps_scale = 1;     ///< multiplies the steps of cases that may be shortened, in (0, 10]
-  double most_seconds = 900;  ///< wall time of one motion; a longer one is stopped and fails; > 0
+  double steps_scale = 1;                  ///< multiplies the steps of cases that may be shortened, in (0, 10]
+  std::vector<std::string> assignments{};  ///< "key=value": options that every simulation is run with
+  double most_seconds = 900;               ///< wall time of one motion; a longer one is stopped and fails; > 0
 };
 
 /// One combination of case, strategy and remeshing: what came of it.
@@ -28,7 +29,7 @@ struct StabilityRow {
   double seconds = 0;               ///< wall time
 };
 
-/// Throws base::InputError for unknown names and options out of range.
+/// Throws base::InputError for unknown names, options out of range, and such as one of the strategies does not use.
 void validate(const StabilityOptions& options);
 
 struct StabilityHooks {

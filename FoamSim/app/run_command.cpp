@@ -17,8 +17,8 @@ struct Arguments {
 
 void print_summary(const RunOutcome& outcome) {
   const Metrics& m = outcome.last;
-  std::printf("%s after step %ld (time %g): %zu triangles, area %.6g, energy %.6g, largest volume drift %.2e\n",
-              std::string(name(outcome.end)).c_str(), m.step, m.time, m.triangles, m.area, m.energy,
+  std::printf("%s after step %ld (time %g, dt %g): %zu triangles, area %.6g, energy %.6g, largest volume drift %.2e\n",
+              std::string(name(outcome.end)).c_str(), m.step, m.time, outcome.dt, m.triangles, m.area, m.energy,
               m.volume_drift_max);
   if (m.angle_rms_deg) std::printf("junction angles: RMS deviation from 120 degrees %.3f", *m.angle_rms_deg);
   if (m.angle_rms_film_deg) std::printf(" (of the curved films %.3f)", *m.angle_rms_film_deg);
@@ -65,7 +65,7 @@ void print_active(const Scene& scene) {
               effects.empty() ? "none" : effects.c_str());
   for (const base::OptionSpec& spec : scene.options.specs())
     if (scene.options.is_set(spec.key))
-      std::printf("  %s = %s\n", spec.key.c_str(), base::to_text(scene.options.value(spec.key)).c_str());
+      std::printf("  %s = %s\n", spec.key.c_str(), base::to_text(spec, scene.options.value(spec.key)).c_str());
 }
 
 int exit_code_of(const RunOutcome& outcome) {

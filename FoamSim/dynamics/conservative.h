@@ -9,6 +9,7 @@
 #include "FoamSim/conservative/potential.h"
 #include "FoamSim/conservative/viscosity.h"
 #include "FoamSim/dynamics/dynamics.h"
+#include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {
 
@@ -29,18 +30,28 @@ struct ConservativeOptions {
   double safety = 0.75;         ///< share of the longest stable step that is used
   double largest_strain = 0.4;  ///< change of an edge in a substep, as a share of its length
   long most_substeps = 16;      ///< a step is made in as many as these two ask for
-  bool correction = true;       ///< what is left of energy and impulse lost or won is given back
+  bool correction = true;       ///< what is left of energy and impulse lost or won is given back; with kick_drift
 };
+
+/// Bound on the fixed-point iteration of Stepping::midpoint.
+inline constexpr long most_midpoint_rounds = 30;
 
 /// Films as a mechanical system (docs/method.md "A conservative scheme"): velocities are the adjoint of forces, so that
 /// energy, volumes and equilibria are right on any mesh.
 class Conservative final : public Dynamics {
  public:
-  explicit Conservative(const ConservativeOptions& options) : options_(options) {}
+  /// `sheet_sum`: velocities by this sum over the sheet, as section 3 has them; null: those that belong to the forces.
+  explicit Conservative(const ConservativeOptions& options, std::unique_ptr<BiotSavart> sheet_sum = nullptr)
+      : options_(options) {
+    if (sheet_sum) sheet_sum_.emplace(std::move(sheet_sum));
+  }
 
   double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
   /// What the first remeshing does to the area of a rough mesh is no motion: energy counts from behind it.
   bool remeshes_start() const override { return true; }
+  /// `safety` of what the stiffest films bear, but no less than half of what regular triangles of the resolution would:
+  /// shorter steps in a few places are left to substeps.
+  double suitable_dt(const EffectStep& step, double tension) override;
   void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) override;
   nlohmann::json state() const override;
   void restore(const nlohmann::json& state) override;
@@ -52,16 +63,30 @@ class Conservative final : public Dynamics {
     Positions x;              // dx/dt, by vertex slot
   };
 
+  // A part of a step: where it begins after the step's start, and how long it is (T).
+  struct Substep {
+    StepScope& scope;
+    double after, dt;
+    LocalResponse& response;
+  };
+
   void start(StepScope& scope);
-  // Rates of change at an instant after the step's start; leaves shape_, motion_ as they are there.
+  long evaluations() const;
+  // Rates of change at an instant after the step's start; leaves shape_, motion_ and force_ as they are there.
   void evaluate(StepScope& scope, double after, std::span<const lostopos::Vec3> x, std::span<const double> phi,
                 Rates& rates);
-  void kick_drift(StepScope& scope, Positions& predicted);
+  // Velocities of the vertices: by the fluxes, or by the sum over the sheet of φ.
+  void move(StepScope& scope, std::span<const lostopos::Vec3> x, std::span<const double> phi,
+            std::span<const double> flux, Positions& velocity);
+  // dφ/dt of force_.
+  void press(std::vector<double>& phi_rate);
   double longest_substep(StepScope& scope, std::span<const lostopos::Vec3> x, LocalResponse& response) const;
-  // One kick of φ and the drift with it, from `after` on, by rates that are evaluated; the first of a step measures.
-  void substep(StepScope& scope, double after, double dt, LocalResponse& response, Positions& x);
-  void midpoint(StepScope& scope, Positions& predicted);
-  void rk4(StepScope& scope, Positions& predicted);
+  // From φ and x to new φ and x, by rates that are evaluated; the first of a step measures.
+  void substep(const Substep& step, Positions& x);
+  void add_viscosity(const Substep& step);
+  void kick_drift(const Substep& step, Positions& x);
+  void midpoint(const Substep& step, Positions& x);
+  void rk4(const Substep& step, Positions& x);
   void expect_kinetic_energy(double dt, std::span<const lostopos::Vec3> x, std::span<const double> flux);
   void take_back_remeshing(StepScope& scope);
   // The change of φ that gives back what energy and impulse the last step has lost or won, added to `phi`.
@@ -71,14 +96,16 @@ class Conservative final : public Dynamics {
   void report_state(StepScope& scope, double kinetic_energy, std::span<const double> phi) const;
 
   ConservativeOptions options_;
-  double delta_ = 0;
+  double resolution_ = 0, delta_ = 0;
   std::optional<PotentialField> potential_;
   FilmConnectivity films_;
   FilmShape shape_;
   std::optional<Viscosity> viscosity_;
   NearField near_;
   std::optional<FilmMotion> motion_, change_;  // of φ, and of its change by a kick
-  std::vector<double> phi_, new_phi_, stage_phi_;
+  std::optional<SheetVelocity> sheet_sum_;
+  std::vector<SheetTriangle> sheet_;
+  std::vector<double> phi_, new_phi_, stage_phi_, pressure_;
   Positions tangential_, force_, stage_x_;
   Rates rates_, sum_;
   std::optional<Invariants> kept_;                 // of the last step, what the next one has to have

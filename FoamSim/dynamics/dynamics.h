@@ -74,6 +74,9 @@ class Dynamics {
   virtual double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) = 0;
   /// Whether the start surface is remeshed once before the first step, where remeshing is on.
   virtual bool remeshes_start() const { return false; }
+  /// The longest step (T) that suits films of such a tension (sum of the effects', L³/T²) as they lie; infinite: any
+  /// does; 0: the dynamics cannot tell.
+  virtual double suitable_dt(const EffectStep& /*step*/, double /*tension*/) { return 0; }
   /// Changes Γ over dt, writes the positions that the vertices are to go to (L, by slot), and fills energies and
   /// impulse of the report.
   virtual void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) = 0;

@@ -37,6 +37,12 @@ Choice choice_of(const std::array<Named<Choice>, n>& choices, const std::string&
 
 std::vector<base::OptionSpec> conservative_options() {
   return {
+      base::word_from("forces", std::string("gradient"), "of tension: the energy's gradient, or a pressure scheme",
+                      "forces", {"gradient", "pressure-scheme"}),
+      base::word_from("velocities", std::string("adjoint"),
+                      "of the mesh: those that belong to the forces, or section "
+                      "3's sum",
+                      "velocities", {"adjoint", "sheet"}),
       base::word_from("stepping", std::string("kick-drift"), "how circulation and positions are advanced", "stepping",
                       names_of(steppings)),
       base::non_negative_number("viscosity", 0, "surface viscosity of the films over air density, L^3/T"),
@@ -64,7 +70,8 @@ Made make_conservative(const DynamicsSetup& setup) {
   own.safety = options.number("safety");
   own.largest_strain = options.number("largest_strain");
   own.most_substeps = options.whole("most_substeps");
-  return std::make_unique<Conservative>(own);
+  if (options.word("velocities") == "adjoint") return std::make_unique<Conservative>(own);
+  return std::make_unique<Conservative>(own, setup.sheet.velocities.find(options.word("velocity")).make({options}));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "FoamSim/dynamics/simulation.h"
 
+#include <cmath>
 #include <utility>
 
 #include "Base/error.h"
@@ -16,7 +17,7 @@ namespace {
 
 void require_usable(const SurfaceMesh& mesh, const SimulationOptions& options, const SimulationParts& parts) {
   if (mesh.triangle_count() == 0) throw base::InputError("the start mesh has no triangles; a film needs at least one");
-  if (!(options.dt > 0)) throw base::InputError("dt has to be > 0");
+  if (!(options.dt >= 0)) throw base::InputError("dt has to be >= 0");
   if (parts.dynamics == nullptr) throw base::InputError("a simulation needs dynamics");
   if (options.delta < 0 || options.resolution < 0) throw base::InputError("delta and resolution have to be >= 0");
 }
@@ -27,6 +28,12 @@ std::unique_ptr<lostopos::SurfaceTracker> make_tracker(SurfaceMesh mesh, const S
   lostopos::TrackerOptions tracker = options.tracker;
   tracker.resolution = resolved_resolution(options, mesh);
   return std::make_unique<lostopos::SurfaceTracker>(std::move(mesh), tracker);
+}
+
+// To two digits, so that the step can be written down and given again.
+double rounded_down(double value) {
+  const double digits = 1 - std::floor(std::log10(value)), power = std::pow(10, std::abs(digits));
+  return digits > 0 ? std::floor(value * power) / power : std::floor(value / power) * power;
 }
 
 }  // namespace
@@ -46,6 +53,15 @@ Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, Simul
   for (const auto& constraint : parts_.constraints) constraint->attach(*tracker_);
   geometry_.update(tracker_->mesh(), solid());
   if (parts_.dynamics->remeshes_start() && options_.tracker.remeshing) remesh_start();
+  if (options_.dt == 0) options_.dt = chosen_dt();
+}
+
+double Simulation::chosen_dt() const {
+  const double suitable = parts_.dynamics->suitable_dt(effect_step(), tension());
+  if (!(suitable > 0)) throw base::InputError("dt=auto needs dynamics that know how long a step may be; give dt");
+  if (!std::isfinite(suitable))
+    throw base::InputError("dt=auto needs films under tension (sigma > 0), which is what limits a step; give dt");
+  return rounded_down(suitable);
 }
 
 void Simulation::remesh_start() {
@@ -87,12 +103,21 @@ StepReport Simulation::make_step() {
   return report;
 }
 
+double Simulation::tension() const {
+  double sum = 0;
+  for (const auto& effect : parts_.effects) sum += effect->tension();
+  return sum;
+}
+
 void Simulation::track(StepReport& report) {
   lostopos::TrackerStep done = tracker_->step(predicted_);
   report.times.add("move", done.move_seconds);
   if (options_.tracker.topology.enabled) report.times.add("topology", done.topology_seconds);
   if (options_.tracker.remeshing) report.times.add("remesh", done.remesh_seconds);
-  settle(report);
+  const double settled = settle(report);
+  report.move_energy = tension() * done.move_area;
+  report.topology_energy = tension() * done.topology_area;
+  report.remesh_energy = tension() * (done.remesh_area + settled);
   report.motion_fraction = done.move.fraction;
   report.move = done.move.statistics;
   topology_totals_.add(done.topology);
@@ -101,7 +126,8 @@ void Simulation::track(StepReport& report) {
 }
 
 // What effects still have to say of where the vertices are; the tracker sees to it that nothing intersects.
-void Simulation::settle(StepReport& report) {
+// Returns the area that is won by it, L².
+double Simulation::settle(StepReport& report) {
   const auto positions = tracker_->mesh().positions();
   predicted_.assign(positions.begin(), positions.end());
   const EffectStep step = effect_step();
@@ -110,9 +136,11 @@ void Simulation::settle(StepReport& report) {
     const base::TimedScope timed(report.times, effect->name());
     changed = effect->settle(step, predicted_) || changed;
   }
-  if (!changed) return;
+  if (!changed) return 0;
   const base::TimedScope timed(report.times, "move");
+  const double before = lostopos::total_area(tracker_->mesh());
   tracker_->advance(predicted_);
+  return lostopos::total_area(tracker_->mesh()) - before;
 }
 
 EffectStep Simulation::effect_step() const {

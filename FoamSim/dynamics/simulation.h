@@ -15,7 +15,7 @@
 namespace foamsim {
 
 struct SimulationOptions {
-  double dt = 0.01;       ///< length of a step, T, > 0
+  double dt = 0.01;       ///< length of a step, T; 0: what the dynamics choose for the start surface
   double delta = 0;       ///< regularisation δ, L; 0: what the dynamics choose
   double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
   /// How the surface is moved and remeshed; its resolution is set to h̄. Nothing is remeshed unless it says so.
@@ -37,7 +37,8 @@ double resolved_resolution(const SimulationOptions& options, const lostopos::Sur
 class Simulation {
  public:
   /// Starts at rest (Γ = 0), at time 0. Values that wait in the mesh ("hold", "solid", "circulation") are taken. Throws
-  /// base::InputError for a mesh without triangles, options out of range, or parts that are missing.
+  /// base::InputError for a mesh without triangles, options out of range, parts that are missing, or a dt that is left
+  /// to dynamics which cannot choose one.
   Simulation(lostopos::SurfaceMesh mesh, const SimulationOptions& options, SimulationParts parts);
 
   /// One step of dt: effects and constraints on Γ, velocity, predicted positions, the tracker's move, topology and
@@ -56,6 +57,7 @@ class Simulation {
   const SurfaceGeometry& geometry() const { return geometry_; }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return parts_.effects; }
   const std::vector<std::unique_ptr<Constraint>>& constraints() const { return parts_.constraints; }
+  /// With dt as it is used.
   const SimulationOptions& options() const { return options_; }
   double resolution() const { return resolution_; }
   double delta() const { return delta_; }
@@ -79,7 +81,9 @@ class Simulation {
   EffectStep effect_step() const;
   void track(StepReport& report);
   void remesh_start();
-  void settle(StepReport& report);
+  double chosen_dt() const;
+  double settle(StepReport& report);
+  double tension() const;
 
   SimulationOptions options_;
   std::unique_ptr<lostopos::SurfaceTracker> tracker_;

@@ -54,6 +54,7 @@ void remind(const Models& models, const json& all, const char* kind) {
 
 json to_json(const SimulationState& state) {
   return {{"steps", state.steps},
+          {"dt", state.dt},
           {"topology", topology_json(state.topology)},
           {"surface", lostopos::to_json(state.tracker)},
           {"models", state.models ? *state.models : json::object()}};
@@ -61,6 +62,7 @@ json to_json(const SimulationState& state) {
 
 SimulationState simulation_state_from_json(const json& value) {
   return {.steps = value.at("steps"),
+          .dt = value.at("dt"),
           .topology = topology_from(value.at("topology")),
           .tracker = lostopos::mesh_state_from_json(value.at("surface")),
           .models = std::make_shared<const json>(value.at("models"))};
@@ -74,6 +76,7 @@ SimulationState Simulation::state() const {
 
 void Simulation::save(SimulationState& state) const {
   state.steps = steps_;
+  state.dt = options_.dt;
   state.topology = topology_totals_;
   tracker_->save(state.tracker);
   state.models = std::make_shared<const json>(json{{"effects", remembered(parts_.effects)},
@@ -89,6 +92,7 @@ void Simulation::restore(const SimulationState& state) {
   parts_.dynamics->restore(models.value("dynamics", json()));
   tracker_->restore(state.tracker);
   steps_ = state.steps;
+  options_.dt = state.dt;
   topology_totals_ = state.topology;
   geometry_.update(tracker_->mesh(), solid());
 }

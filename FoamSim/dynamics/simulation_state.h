@@ -12,6 +12,7 @@ namespace foamsim {
 /// is to the mesh. With it a step can be undone and a run be resumed, to the bit.
 struct SimulationState {
   long steps = 0;
+  double dt = 0;                                 ///< length of a step, T, > 0
   TopologyTotals topology;                       ///< counts since the start of the run
   lostopos::SurfaceTracker::State tracker;       ///< the surface with every named attribute, circulation among them
   std::shared_ptr<const nlohmann::json> models;  ///< by kind and name: what effects, constraints and dynamics remember

@@ -22,10 +22,15 @@ struct StepReport {
   double stable_dt = 0;           ///< longest step that the stiffest films bear, T
   long substeps = 1;              ///< in which the step was made for that, and for speed
   long viscosity_iterations = 0;  ///< most that a substep's implicit viscosity took; 60: it was not solved in full
+  long midpoint_rounds = 0;       ///< most that a substep of `midpoint` took; 30: it was not solved in full
   double correction = 0;  ///< change of φ that gave back energy and impulse, root mean square as a share of φ's
   /// What move, topology and remeshing of the step before have put into the films and into the air, L⁵/T².
   double tracker_surface_energy = 0, tracker_kinetic_energy = 0;
   ///@}
+  /// What of the step has changed the films' energy (tension times area, L⁵/T²) besides the predicted motion: the move,
+  /// where collisions kept vertices from going where they should; topology; remeshing, and effects that settle the
+  /// vertices behind it.
+  double move_energy = 0, topology_energy = 0, remesh_energy = 0;
   long velocity_evaluations = 0;
   double motion_fraction = 1;             ///< of the predicted motion that the tracker could do
   lostopos::MoveStatistics move;          ///< collisions found and answered

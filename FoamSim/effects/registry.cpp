@@ -19,7 +19,7 @@ base::OptionSpec damping_option() {
 }
 
 Made make_surface_tension(const EffectSetup& setup) {
-  if (setup.options.word("dynamics") != "vortex-sheet")
+  if (setup.options.word("dynamics") != "vortex-sheet" && setup.options.word("forces") != "pressure-scheme")
     return std::make_unique<SurfaceTension>(setup.options.number("sigma"), nullptr);
   const PressureEntry& pressures = setup.sheet.pressures.find(setup.options.word("pressure"));
   return std::make_unique<SurfaceTension>(setup.options.number("sigma"),

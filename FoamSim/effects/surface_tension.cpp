@@ -24,6 +24,7 @@ double SurfaceTension::potential_energy(const Stage& stage) const {
 }
 
 void SurfaceTension::add_force(const Stage& stage, std::span<lostopos::Vec3> force) {
+  if (scheme_ != nullptr) return;
   add_area_gradient(stage.step.mesh, stage.step.solid, stage.positions, 4 * sigma_, force);
 }
 

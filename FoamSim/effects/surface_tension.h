@@ -16,7 +16,7 @@ class SurfaceTension final : public Effect {
   SurfaceTension(double sigma, std::unique_ptr<PressureScheme> scheme) : sigma_(sigma), scheme_(std::move(scheme)) {}
   std::string_view name() const override { return "surface_tension"; }
   void update_circulation(const EffectStep& step, CirculationField& circulation) override;
-  /// 4σ times the exact gradient of the triangles' areas.
+  /// 4σ times the exact gradient of the triangles' areas; nothing where a scheme drives circulation.
   void add_force(const Stage& stage, std::span<lostopos::Vec3> force) override;
   /// 4σ times the total area: the jump of the potential is 2Γ, so both sides of a film together pull with 4σ.
   double potential_energy(const SurfaceGeometry& geometry) const override { return 4 * sigma_ * geometry.total_area(); }

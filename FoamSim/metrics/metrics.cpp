@@ -38,6 +38,10 @@ void take_tracker_counts(const StepReport& report, Metrics& m) {
   m.correction = report.correction;
   m.tracker_surface_energy = report.tracker_surface_energy;
   m.tracker_kinetic_energy = report.tracker_kinetic_energy;
+  m.move_energy = report.move_energy;
+  m.topology_energy = report.topology_energy;
+  m.remesh_energy = report.remesh_energy;
+  m.midpoint_rounds = report.midpoint_rounds;
   m.motion_fraction = report.motion_fraction;
   m.splits = report.remesh[Operation::split].done;
   m.collapses = report.remesh[Operation::collapse].done;

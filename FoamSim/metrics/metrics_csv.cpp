@@ -72,6 +72,10 @@ const std::vector<Column>& columns() {
       {"correction", [](const Metrics& m) { return cell_text(m.correction); }},
       {"tracker_surface_energy", [](const Metrics& m) { return cell_text(m.tracker_surface_energy); }},
       {"tracker_kinetic_energy", [](const Metrics& m) { return cell_text(m.tracker_kinetic_energy); }},
+      {"move_energy", [](const Metrics& m) { return cell_text(m.move_energy); }},
+      {"topology_energy", [](const Metrics& m) { return cell_text(m.topology_energy); }},
+      {"remesh_energy", [](const Metrics& m) { return cell_text(m.remesh_energy); }},
+      {"midpoint_rounds", [](const Metrics& m) { return cell_text(m.midpoint_rounds); }},
   };
   return all;
 }

@@ -42,14 +42,16 @@ bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
   return std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
 }
 
-lostopos::run::Output output_of(const Scene& scene, const RunSettings& settings,
+lostopos::run::Output output_of(const SceneMotion& motion, const RunSettings& settings,
                                 const std::filesystem::path& checkpoint) {
+  const Scene& scene = motion.scene();
   const auto folder_of_checkpoint = checkpoint.parent_path().empty() ? "." : checkpoint.parent_path();
   const auto folder = settings.out.empty() ? folder_of_checkpoint : settings.out;
   const nlohmann::ordered_json description = {{"version", version},
                                               {"command", settings.command},
                                               {"scene", scene.name},
                                               {"mesh_file", scene.mesh_file},
+                                              {"dt", motion.simulation().options().dt},
                                               {"options", base::options_to_json(options_in_use(scene.options))},
                                               {"seed", scene.options.whole("seed")}};
   return {.folder = folder,
@@ -67,6 +69,7 @@ RunOutcome outcome_of(const SceneMotion& motion, lostopos::run::Outcome&& done, 
   outcome.end = done.end;
   outcome.message = std::move(done.message);
   outcome.first_step = done.first_step;
+  outcome.dt = motion.simulation().options().dt;
   outcome.last = motion.metrics();
   outcome.start_centroid = motion.start().centroid;
   outcome.times = std::move(done.work.times);
@@ -93,7 +96,7 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
       if (hooks.warn) hooks.warn(note);
   Plan plan{.last_step = last_step(settings.stop, motion)};
   if (settings.stop.until_rest) plan.at_rest = [&motion] { return motion.at_rest(); };
-  const lostopos::run::Output output = output_of(motion.scene(), settings, checkpoint);
+  const lostopos::run::Output output = output_of(motion, settings, checkpoint);
   const Metrics start = motion.metrics();
   lostopos::run::Hooks own{.stepped = {}, .interrupted = hooks.interrupted};
   if (hooks.progress) own.stepped = [&](double fraction) { hooks.progress(motion.metrics(), fraction); };

@@ -33,6 +33,7 @@ struct RunOutcome {
   RunEnd end = RunEnd::finished;
   std::string message;  ///< why it failed, or what to know about the end
   long first_step = 0;
+  double dt = 0;  ///< T
   Metrics start, last;
   lostopos::Vec3 start_centroid = lostopos::Vec3::Zero();
   base::StageTimes times;

@@ -19,10 +19,16 @@ using lostopos::Vertex;
 
 namespace {
 
+base::OptionSpec step_length() {
+  auto spec = base::positive_number("dt", 0.01, "length of a step, T; auto: what the films bear (conservative)");
+  spec.named_numbers = {{"auto", 0}};
+  return spec;
+}
+
 std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
   using base::name_of;
   std::vector<base::OptionSpec> specs{
-      base::positive_number("dt", 0.01, "length of a step, T"),
+      step_length(),
       base::non_negative_number("time", 4, "simulated time, T"),
       base::non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
       base::non_negative_number("delta", 0, "regularisation, L; 0: 0.75 resolution, 0.5 for conservative"),
@@ -41,9 +47,13 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
       base::whole_number("seed", 0, 0, "seed of everything random"),
   };
-  for (const char* key : {"integrator", "velocity", "pressure"})
-    std::ranges::find(specs, key, &base::OptionSpec::key)->owner = {"dynamics", "vortex-sheet"};
-  std::ranges::find(specs, "area", &base::OptionSpec::key)->owner = {"pressure scheme", "edge_angle"};
+  const auto belongs_to = [&specs](const char* key, base::OptionSpec::Owner owner) {
+    std::ranges::find(specs, key, &base::OptionSpec::key)->owner = std::move(owner);
+  };
+  belongs_to("integrator", {"dynamics", "vortex-sheet"});
+  belongs_to("velocity", {"velocities", "sheet"});
+  belongs_to("pressure", {"forces", "pressure-scheme"});
+  belongs_to("area", {"pressure scheme", "edge_angle"});
   return specs;
 }
 
@@ -67,15 +77,19 @@ bool contains(std::span<const std::string> words, const std::string& word) {
 bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
           std::span<const std::string> also_used) {
   const auto& [kind, name] = owner;
-  const auto vortex_sheet = [&options] { return options.word("dynamics") == "vortex-sheet"; };
+  const bool vortex_sheet = options.word("dynamics") == "vortex-sheet";
+  const bool sums = vortex_sheet || options.word("velocities") == "sheet";
+  const bool presses =
+      (vortex_sheet || options.word("forces") == "pressure-scheme") && contains(effects_of(options), "surface_tension");
   if (contains(also_used, name)) return true;
   if (kind == "effect") return contains(effects_of(options), name);
   if (kind == "dynamics") return options.word("dynamics") == name;
   if (kind == "constraint") return contains(options.words("constraints"), name);
-  if (kind == "velocity sum") return vortex_sheet() && options.word("velocity") == name;
-  if (kind == "integrator") return vortex_sheet() && options.word("integrator") == name;
-  if (kind == "pressure scheme")
-    return vortex_sheet() && contains(effects_of(options), "surface_tension") && options.word("pressure") == name;
+  if (kind == "velocities") return sums;
+  if (kind == "velocity sum") return sums && options.word("velocity") == name;
+  if (kind == "integrator") return vortex_sheet && options.word("integrator") == name;
+  if (kind == "forces") return presses;
+  if (kind == "pressure scheme") return presses && options.word("pressure") == name;
   if (kind == "area strategy")
     return uses(options, {"pressure scheme", "edge_angle"}, also_used) && options.word("area") == name;
   return true;
@@ -146,6 +160,14 @@ void refuse_for_conservative(const base::OptionSet& options) {
         base::to_text(0.1 * resolution));
 }
 
+// What is read by some of its steppings only.
+void refuse_for_stepping(const base::OptionSet& options) {
+  if (options.word("dynamics") != "conservative" || options.word("stepping") == "kick-drift") return;
+  if (options.is_set("correction") && options.flag("correction"))
+    throw base::InputError("option 'correction' is for stepping=kick-drift; stepping=" + options.word("stepping") +
+                           " keeps energy by its order alone");
+}
+
 // Of an option whose owner the scene does not use.
 std::string not_used_message(const base::OptionSpec& spec, const base::OptionSet& options) {
   const auto& [kind, name] = spec.owner;
@@ -155,7 +177,9 @@ std::string not_used_message(const base::OptionSpec& spec, const base::OptionSet
   else if (options.word("dynamics") == "conservative" && spec.key == "integrator")
     help = "; dynamics=conservative has --set stepping=kick-drift, midpoint or rk4";
   else if (options.word("dynamics") == "conservative")
-    help = "; dynamics=conservative has exact forces and the velocities that belong to them";
+    help =
+        "; dynamics=conservative has exact forces and the velocities that belong to them (but for --set "
+        "forces=pressure-scheme, --set velocities=sheet)";
   return "option '" + spec.key + "' belongs to the " + kind + " '" + name + "', which this scene does not use" + help;
 }
 
@@ -243,6 +267,11 @@ Scene load_scene(const std::string& what, std::shared_ptr<const Catalogue> catal
 
 void validate(const Scene& scene, std::span<const std::string> also_used) {
   refuse_for_conservative(scene.options);
+  refuse_for_stepping(scene.options);
+  if (scene.options.number("dt") == 0 && scene.options.word("dynamics") == "vortex-sheet")
+    throw base::InputError(
+        "dt=auto is for dynamics=conservative, whose longest stable step is known; with dynamics=vortex-sheet give dt "
+        "as a number: 0.9 h^1.5 / sqrt(sigma) for edges of a length h is near what it bears");
   for (const base::OptionSpec& spec : scene.options.specs()) {
     const auto& [kind, name] = spec.owner;
     if (kind.empty() || !scene.options.is_set(spec.key) || uses(scene.options, spec.owner, also_used)) continue;

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "FoamSim/effects/registry.h"
@@ -93,129 +91,6 @@ TEST(RunCommand, TheSameBitsWithOneAndTwoThreadsAndAgain) {
   }
 }
 
-// Those of every scene, and each scene's own.
-std::vector<base::OptionSpec> all_options() {
-  std::vector<base::OptionSpec> specs = common_option_specs(*built_in_catalogue());
-  for (const SceneEntry& scene : built_in_scenes())
-    specs.insert(specs.end(), scene.options.begin(), scene.options.end());
-  return specs;
-}
-
-// Every option has to change what a run writes: none is read and then forgotten.
-TEST(Options, EachOneHasAnEffect) {
-  const std::vector<std::pair<std::string, std::string>> changes{
-      {"n", "run doublebubble --set n=17"},
-      {"mode", "run sphere --set mode=2"},
-      {"amplitude", "run sphere --set mode=2 --set amplitude=0.05"},
-      {"gap", "run twobubbles --set n=1 --set gap=0.3"},
-      {"speed", "run twobubbles --set n=1 --set speed=0.1"},
-      {"spheres", "run foaminit --set spheres=3"},
-      {"layout", "run foaminit --set layout=random"},
-      {"displacement", "run quadjunction --set n=2 --set displacement=0.1"},
-      {"dt", "run doublebubble --set dt=0.005"},
-      {"time", "run doublebubble --set time=0.02"},
-      {"resolution", "run doublebubble --set resolution=0.5"},
-      {"delta", "run doublebubble --set delta=0.5"},
-      {"integrator", "run doublebubble --set integrator=rk4"},
-      {"constraints", "run quadjunction --set n=2 --set constraints="},
-      {"effects", "run doublebubble --set effects=surface_tension"},
-      {"frame_every", "run doublebubble --set frame_every=1"},
-      {"metrics_every", "run doublebubble --set metrics_every=2"},
-      {"checkpoint_every", "run doublebubble --set checkpoint_every=1"},
-      {"vtp", "run doublebubble --set vtp=true"},
-      {"seed", "run doublebubble --set seed=5"},
-      {"remeshing.enabled", "run doublebubble --set remeshing.enabled=false"},
-      {"remeshing.iterations", "run doublebubble --set remeshing.iterations=3"},
-      {"remeshing.shortest_edge", "run doublebubble --set remeshing.shortest_edge=0.7"},
-      {"remeshing.longest_edge", "run doublebubble --set remeshing.longest_edge=1.2"},
-      {"remeshing.min_area", "run doublebubble --set remeshing.min_area=0.3"},
-      {"remeshing.min_angle", "run doublebubble --set remeshing.min_angle=40"},
-      {"remeshing.max_angle", "run doublebubble --set remeshing.max_angle=80"},
-      {"remeshing.split_angle", "run doublebubble --set remeshing.split_angle=95"},
-      {"remeshing.max_volume_change",
-       "run sphere --set remeshing.longest_edge=1.05 --set remeshing.butterfly=true --set "
-       "remeshing.max_volume_change=1e-12"},
-      {"remeshing.smooth_below", "run doublebubble --set remeshing.smooth_below=60"},
-      {"remeshing.smoothing", "run doublebubble --set n=16 --set remeshing.smoothing=false"},
-      {"remeshing.butterfly", "run sphere --set remeshing.longest_edge=1.05 --set remeshing.butterfly=true"},
-      {"sigma", "run doublebubble --set sigma=2"},
-      {"area", "run doublebubble --set area=naive"},
-      {"phi", "run doublebubble --set area=constant-edge --set phi=0.9"},
-      {"damping", "run doublebubble --set effects+=damping --set damping=0.1"},
-      {"damping_from", "run doublebubble --set effects+=damping --set damping=0.1 --set damping_from=0.02"},
-      {"diffusion", "run doublebubble --set diffusion=1"},
-      {"growth", "run foaminit --set growth=1"},
-      {"dynamics", "run doublebubble --set dynamics=conservative"},
-      {"stepping", "run doublebubble --set dynamics=conservative --set stepping=rk4"},
-      {"viscosity", "run doublebubble --set dynamics=conservative --set viscosity=0.3"},
-      {"near_field", "run doublebubble --set dynamics=conservative --set near_field=false"},
-      {"inertia", "run doublebubble --set dynamics=conservative --set inertia=false"},
-      {"tangential", "run doublebubble --set dynamics=conservative --set tangential=none"},
-      {"correction", "run doublebubble --set dynamics=conservative --set correction=false"},
-      {"most_substeps", "run doublebubble --set dynamics=conservative --set dt=0.04 --set most_substeps=1"},
-      {"safety", "run doublebubble --set dynamics=conservative --set dt=0.04 --set safety=0.2"},
-      {"largest_strain", "run doublebubble --set dynamics=conservative --set dt=0.04 --set largest_strain=0.001"},
-      {"conserving_transfers",
-       "run doublebubble --set dynamics=conservative --set n=24 --set time=0.3 --set conserving_transfers=false"},
-  };
-  auto outcome = [](const std::string& command) {
-    const ScratchFolder scratch;
-    EXPECT_EQ(run_foamsim(command + (command.find("time=") == std::string::npos ? " --time 0.04" : "") + " --out " +
-                          (scratch / "run"))
-                  .exit_code,
-              0)
-        << command;
-    // All that a run leaves, but for its times and the words of its command.
-    std::string text;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(scratch.path() / "run")) files.push_back(entry.path());
-    std::ranges::sort(files);
-    for (const fs::path& file : files) {
-      text += file.filename().string();
-      if (file.extension() == ".ply") text += read_file(file);
-      if (file.filename() == "volumes.csv") text += read_file(file);
-      if (file.filename() == "run.json") text += json::parse(read_file(file))["seed"].dump();
-    }
-    return text;
-  };
-  const std::string double_bubble = outcome("run doublebubble"), sphere = outcome("run sphere");
-  const std::string curved = outcome("run sphere --set remeshing.longest_edge=1.05 --set remeshing.butterfly=true");
-  const std::string finer = outcome("run sphere --set remeshing.longest_edge=1.05");
-  const std::string mode = outcome("run sphere --set mode=2"),
-                    constant_edge = outcome("run doublebubble --set area=constant-edge");
-  const std::string two_bubbles = outcome("run twobubbles --set n=1"), foam = outcome("run foaminit"),
-                    junction = outcome("run quadjunction --set n=2");
-  const std::string damped = outcome("run doublebubble --set effects+=damping --set damping=0.1");
-  const std::string conservative = outcome("run doublebubble --set dynamics=conservative"),
-                    long_steps = outcome("run doublebubble --set dynamics=conservative --set dt=0.04"),
-                    remeshed = outcome("run doublebubble --set dynamics=conservative --set n=24 --set time=0.3");
-  const std::set<std::string> of_conservative{"stepping", "viscosity",  "near_field",
-                                              "inertia",  "tangential", "correction"};
-  const std::set<std::string> of_long_steps{"most_substeps", "safety", "largest_strain"};
-  for (const base::OptionSpec& spec : all_options()) {
-    const auto it = std::ranges::find(changes, spec.key, &std::pair<std::string, std::string>::first);
-    if (spec.key.starts_with("tracker.")) continue;                  // seen where films collide: TrackerOptionsOfScenes
-    if (spec.key.starts_with("topology.")) continue;                 // seen where films meet: TopologyOptionsOfScenes
-    if (spec.key == "pressure" || spec.key == "velocity") continue;  // there is one of each
-    ASSERT_NE(it, changes.end()) << spec.key << " has no case here";
-    if (spec.key == "checkpoint_every") continue;  // seen by an interrupted run only: InterruptedRun.CanBeResumed
-    const std::string& base = of_conservative.contains(spec.key)                                      ? conservative
-                              : of_long_steps.contains(spec.key)                                      ? long_steps
-                              : spec.key == "conserving_transfers"                                    ? remeshed
-                              : spec.key == "mode"                                                    ? sphere
-                              : spec.key == "amplitude"                                               ? mode
-                              : spec.key == "phi"                                                     ? constant_edge
-                              : spec.key == "damping_from"                                            ? damped
-                              : spec.key == "gap" || spec.key == "speed"                              ? two_bubbles
-                              : spec.key == "spheres" || spec.key == "layout" || spec.key == "growth" ? foam
-                              : spec.key == "displacement" || spec.key == "constraints"               ? junction
-                              : spec.key == "remeshing.butterfly"                                     ? finer
-                              : spec.key == "remeshing.max_volume_change"                             ? curved
-                                                                                                      : double_bubble;
-    EXPECT_TRUE(outcome(it->second) != base) << spec.key;
-  }
-}
-
 TEST(CompareCommand, MakesATableAndARunEach) {
   const ScratchFolder scratch;
   const ProgramResult result =
@@ -248,7 +123,7 @@ TEST(ListCommands, NameEverythingThereIs) {
   const std::string scenes = run_foamsim("scenes").out, effects = run_foamsim("effects").out;
   for (const SceneEntry& scene : built_in_scenes()) EXPECT_NE(scenes.find(scene.name), std::string::npos) << scene.name;
   for (const EffectEntry& effect : built_in_effects()) EXPECT_NE(effects.find(effect.name), std::string::npos);
-  for (const base::OptionSpec& spec : all_options())
+  for (const base::OptionSpec& spec : all_option_specs(*built_in_catalogue()))
     EXPECT_NE((scenes + effects).find("  " + spec.key + " "), std::string::npos) << spec.key;
 }
 

@@ -1,0 +1,123 @@
+// Every option does something, and says so in what a run leaves.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "FoamSim/scenes/scene.h"
+#include "program.h"
+
+namespace foamsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+struct Change {
+  std::string key;
+  std::string run;     ///< what is run without the option
+  std::string option;  ///< and with it
+};
+
+const std::vector<Change>& changes() {
+  static const std::vector<Change> all{
+      {"n", "doublebubble", "n=17"},
+      {"mode", "sphere", "mode=2"},
+      {"amplitude", "sphere --set mode=2", "amplitude=0.05"},
+      {"gap", "twobubbles --set n=1", "gap=0.3"},
+      {"speed", "twobubbles --set n=1", "speed=0.1"},
+      {"spheres", "foaminit", "spheres=3"},
+      {"layout", "foaminit", "layout=random"},
+      {"displacement", "quadjunction --set n=2", "displacement=0.1"},
+      {"dt", "doublebubble", "dt=0.005"},
+      {"time", "doublebubble", "time=0.02"},
+      {"resolution", "doublebubble", "resolution=0.5"},
+      {"delta", "doublebubble", "delta=0.5"},
+      {"integrator", "doublebubble", "integrator=rk4"},
+      {"constraints", "quadjunction --set n=2", "constraints="},
+      {"effects", "doublebubble", "effects=surface_tension"},
+      {"frame_every", "doublebubble", "frame_every=1"},
+      {"metrics_every", "doublebubble", "metrics_every=2"},
+      {"checkpoint_every", "doublebubble", "checkpoint_every=1"},
+      {"vtp", "doublebubble", "vtp=true"},
+      {"seed", "doublebubble", "seed=5"},
+      {"remeshing.enabled", "doublebubble", "remeshing.enabled=false"},
+      {"remeshing.iterations", "doublebubble", "remeshing.iterations=3"},
+      {"remeshing.shortest_edge", "doublebubble", "remeshing.shortest_edge=0.7"},
+      {"remeshing.longest_edge", "doublebubble", "remeshing.longest_edge=1.2"},
+      {"remeshing.min_area", "doublebubble", "remeshing.min_area=0.3"},
+      {"remeshing.min_angle", "doublebubble", "remeshing.min_angle=40"},
+      {"remeshing.max_angle", "doublebubble", "remeshing.max_angle=80"},
+      {"remeshing.split_angle", "doublebubble", "remeshing.split_angle=95"},
+      {"remeshing.max_volume_change", "sphere --set remeshing.longest_edge=1.05 --set remeshing.butterfly=true",
+       "remeshing.max_volume_change=1e-12"},
+      {"remeshing.smooth_below", "doublebubble", "remeshing.smooth_below=60"},
+      {"remeshing.smoothing", "doublebubble --set n=16", "remeshing.smoothing=false"},
+      {"remeshing.butterfly", "sphere --set remeshing.longest_edge=1.05", "remeshing.butterfly=true"},
+      {"sigma", "doublebubble", "sigma=2"},
+      {"area", "doublebubble", "area=naive"},
+      {"phi", "doublebubble --set area=constant-edge", "phi=0.9"},
+      {"damping", "doublebubble", "effects+=damping --set damping=0.1"},
+      {"damping_from", "doublebubble --set effects+=damping --set damping=0.1", "damping_from=0.02"},
+      {"diffusion", "doublebubble", "diffusion=1"},
+      {"growth", "foaminit", "growth=1"},
+      {"dynamics", "doublebubble", "dynamics=conservative"},
+      {"stepping", "doublebubble --set dynamics=conservative", "stepping=rk4"},
+      {"viscosity", "doublebubble --set dynamics=conservative", "viscosity=0.3"},
+      {"near_field", "doublebubble --set dynamics=conservative", "near_field=false"},
+      {"inertia", "doublebubble --set dynamics=conservative", "inertia=false"},
+      {"tangential", "doublebubble --set dynamics=conservative", "tangential=none"},
+      {"correction", "doublebubble --set dynamics=conservative", "correction=false"},
+      {"most_substeps", "doublebubble --set dynamics=conservative --set dt=0.04", "most_substeps=1"},
+      {"safety", "doublebubble --set dynamics=conservative --set dt=0.04", "safety=0.2"},
+      {"largest_strain", "doublebubble --set dynamics=conservative --set dt=0.04", "largest_strain=0.001"},
+      {"conserving_transfers", "doublebubble --set dynamics=conservative --set n=24 --set time=0.3",
+       "conserving_transfers=false"},
+      {"forces", "doublebubble --set dynamics=conservative", "forces=pressure-scheme"},
+      {"velocities", "doublebubble --set dynamics=conservative", "velocities=sheet"},
+  };
+  return all;
+}
+
+// All that a run leaves, but for its times and the words of its command.
+std::string outcome(const std::string& command) {
+  const ScratchFolder scratch;
+  const std::string time = command.find("time=") == std::string::npos ? " --time 0.04" : "";
+  EXPECT_EQ(run_foamsim("run " + command + time + " --out " + (scratch / "run")).exit_code, 0) << command;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(scratch.path() / "run")) files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::string text;
+  for (const fs::path& file : files) {
+    text += file.filename().string();
+    if (file.extension() == ".ply") text += read_file(file);
+    if (file.filename() == "volumes.csv") text += read_file(file);
+    if (file.filename() == "run.json") text += json::parse(read_file(file))["seed"].dump();
+  }
+  return text;
+}
+
+bool seen_elsewhere(const std::string& key) {
+  return key.starts_with("tracker.") ||           // where films collide: TrackerOptionsOfScenes
+         key.starts_with("topology.") ||          // where films meet: TopologyOptionsOfScenes
+         key == "checkpoint_every" ||             // in an interrupted run only: InterruptedRun.CanBeResumed
+         key == "pressure" || key == "velocity";  // there is one of each
+}
+
+// None is read and then forgotten.
+TEST(Options, EachOneHasAnEffect) {
+  std::map<std::string, std::string> without;
+  for (const base::OptionSpec& spec : all_option_specs(*built_in_catalogue())) {
+    if (seen_elsewhere(spec.key)) continue;
+    const auto change = std::ranges::find(changes(), spec.key, &Change::key);
+    ASSERT_NE(change, changes().end()) << spec.key << " has no case here";
+    std::string& base = without[change->run];
+    if (base.empty()) base = outcome(change->run);
+    EXPECT_TRUE(outcome(change->run + " --set " + change->option) != base) << spec.key;
+  }
+}
+
+}  // namespace
+}  // namespace foamsim::test

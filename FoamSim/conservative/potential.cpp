@@ -55,8 +55,10 @@ PotentialField::PotentialField(SurfaceMesh& mesh, bool conserving)
     : values_(
           mesh.add_vertex_attribute<VertexPotential>("potential", std::make_unique<PotentialTransfer>(conserving))) {}
 
-bool PotentialField::empty() const {
-  return std::ranges::all_of(values_.slots(), [](const VertexPotential& own) { return own.empty(); });
+bool PotentialField::at_rest() const {
+  return std::ranges::all_of(values_.slots(), [](const VertexPotential& own) {
+    return std::ranges::all_of(own, [](const RegionPotential& each) { return each.value == 0; });
+  });
 }
 
 void PotentialField::gather(const FilmConnectivity& films, std::span<double> phi) const {

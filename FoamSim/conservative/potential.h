@@ -33,8 +33,8 @@ class PotentialField {
   /// `delta`: see PotentialTransfer.
   PotentialField(lostopos::SurfaceMesh& mesh, bool conserving);
 
-  /// Whether no vertex holds anything: a surface that has not moved yet.
-  bool empty() const;
+  /// Whether no vertex holds anything but zero: a surface that has not moved yet.
+  bool at_rest() const;
   /// By entry of `films`; entries that a vertex does not hold are 0.
   void gather(const FilmConnectivity& films, std::span<double> phi) const;
   /// Makes the vertices hold exactly what is given.

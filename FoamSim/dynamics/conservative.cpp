@@ -77,7 +77,7 @@ void Conservative::start(StepScope& scope) {
   phi_.resize(films_.entries());
   potential_->gather(films_, phi_);
   // A scene may have set Γ before the first step; from then on the potentials are what counts.
-  if (potential_->empty()) take_circulation(films_, scope.circulation(), phi_);
+  if (potential_->at_rest()) take_circulation(films_, scope.circulation(), phi_);
   put_circulation(films_, phi_, scope.circulation());
   scope.change_circulation({});
   take_circulation(films_, scope.circulation(), phi_);

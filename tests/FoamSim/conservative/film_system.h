@@ -5,6 +5,7 @@
 
 #include "FoamSim/conservative/film_motion.h"
 #include "FoamSim/conservative/film_shape.h"
+#include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/sheet/surface_geometry.h"
 
 namespace foamsim::test {
@@ -15,6 +16,13 @@ struct FilmSystem {
     SurfaceGeometry geometry;
     geometry.update(mesh);
     films.update(mesh, geometry, {}, {});
+    shape.update(films, x);
+  }
+
+  /// With what the simulation holds.
+  explicit FilmSystem(const Simulation& simulation)
+      : x(simulation.mesh().positions().begin(), simulation.mesh().positions().end()) {
+    films.update(simulation.mesh(), simulation.geometry(), simulation.held(), simulation.solid());
     shape.update(films, x);
   }
 

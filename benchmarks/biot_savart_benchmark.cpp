@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "FoamSim/conservative/pair_sums.h"
 #include "FoamSim/sheet/velocity/direct.h"
 
 namespace foamsim {
@@ -97,6 +98,31 @@ void scalar_loop(benchmark::State& state) {
     for (std::size_t i = 0; i < p.targets.size(); ++i) p.velocities[i] = scalar_velocity(p.sources, p.targets[i]);
   });
 }
+
+// The conservative scheme's sums: every pair once for both its members. "interactions" counts it once.
+void pair_sums(benchmark::State& state) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(state.range(2)));
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const Problem problem = unit_sphere(0, n);
+  DirectPairSums direct_sums;
+  PairSums sums;
+  const PairTerms terms = state.range(1) == 1 ? PairTerms::all : PairTerms::potential;
+  for ([[maybe_unused]] auto _ : state) {
+    direct_sums.evaluate(problem.sources, kDelta, terms, sums);
+    benchmark::DoNotOptimize(sums.potential.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["interactions"] = benchmark::Counter(
+      static_cast<double>(n * n / 2) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(pair_sums)
+    ->ArgNames({"triangles", "all_terms", "threads"})
+    ->ArgsProduct({{8'016}, {0, 1}, {1, 2}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 BENCHMARK(direct)
     ->ArgNames({"targets", "sources", "threads"})

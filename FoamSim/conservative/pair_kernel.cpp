@@ -45,35 +45,51 @@ struct Sums {
   Vec px, py, pz, bx, by, bz, ux, uy, uz;
 };
 
-// The pairs of t with the lanes of s: to the lanes' sums, and lane by lane to t's (`own`, kChunk apart).
+// place += a b
+HWY_INLINE void add_product(double* place, Vec a, Vec b) {
+  const Doubles d;
+  hn::Store(hn::MulAdd(a, b, hn::Load(d, place)), d, place);
+}
+
+// a b − c e + sum
+HWY_INLINE Vec add_cross(Vec sum, Vec a, Vec b, Vec c, Vec e) {
+  return hn::NegMulAdd(c, e, hn::MulAdd(a, b, sum));
+}
+
+HWY_INLINE void add_cross(double* place, Vec a, Vec b, Vec c, Vec e) {
+  const Doubles d;
+  hn::Store(add_cross(hn::Load(d, place), a, b, c, e), d, place);
+}
+
+// The pairs of t with the lanes of s: to the lanes' sums, and lane by lane to t's (`own`, kChunk apart; forces with the
+// other sign). Arithmetic is what takes the time (the root and the division hide behind it), and fused it is less.
 template <bool all>
 HWY_INLINE void add_pairs(const Bodies& t, const Bodies& s, Vec delta2, Vec counts, Sums& sums, double* own) {
   const Vec dx = hn::Sub(t.x, s.x), dy = hn::Sub(t.y, s.y), dz = hn::Sub(t.z, s.z);
-  const Vec r2 = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Add(hn::Mul(dz, dz), delta2));
+  const Vec r2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::MulAdd(dz, dz, delta2)));
   const Vec inverse = hn::Div(counts, hn::Sqrt(r2));
-  add_to(own, hn::Mul(s.gx, inverse));
-  add_to(own + kChunk, hn::Mul(s.gy, inverse));
-  add_to(own + 2 * kChunk, hn::Mul(s.gz, inverse));
-  sums.px = hn::Add(sums.px, hn::Mul(t.gx, inverse));
-  sums.py = hn::Add(sums.py, hn::Mul(t.gy, inverse));
-  sums.pz = hn::Add(sums.pz, hn::Mul(t.gz, inverse));
+  add_product(own, s.gx, inverse);
+  add_product(own + kChunk, s.gy, inverse);
+  add_product(own + 2 * kChunk, s.gz, inverse);
+  sums.px = hn::MulAdd(t.gx, inverse, sums.px);
+  sums.py = hn::MulAdd(t.gy, inverse, sums.py);
+  sums.pz = hn::MulAdd(t.gz, inverse, sums.pz);
   if constexpr (all) {
     const Vec weight = hn::Mul(hn::Mul(inverse, inverse), inverse);
     const Vec wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy), wz = hn::Mul(weight, dz);
-    const Vec product = hn::Add(hn::Add(hn::Mul(t.gx, s.gx), hn::Mul(t.gy, s.gy)), hn::Mul(t.gz, s.gz));
-    const Vec bx = hn::Mul(product, wx), by = hn::Mul(product, wy), bz = hn::Mul(product, wz);
-    add_to(own + 3 * kChunk, hn::Neg(bx));
-    add_to(own + 4 * kChunk, hn::Neg(by));
-    add_to(own + 5 * kChunk, hn::Neg(bz));
-    sums.bx = hn::Add(sums.bx, bx);
-    sums.by = hn::Add(sums.by, by);
-    sums.bz = hn::Add(sums.bz, bz);
-    add_to(own + 6 * kChunk, hn::Sub(hn::Mul(s.gy, wz), hn::Mul(s.gz, wy)));
-    add_to(own + 7 * kChunk, hn::Sub(hn::Mul(s.gz, wx), hn::Mul(s.gx, wz)));
-    add_to(own + 8 * kChunk, hn::Sub(hn::Mul(s.gx, wy), hn::Mul(s.gy, wx)));
-    sums.ux = hn::Add(sums.ux, hn::Sub(hn::Mul(t.gz, wy), hn::Mul(t.gy, wz)));
-    sums.uy = hn::Add(sums.uy, hn::Sub(hn::Mul(t.gx, wz), hn::Mul(t.gz, wx)));
-    sums.uz = hn::Add(sums.uz, hn::Sub(hn::Mul(t.gy, wx), hn::Mul(t.gx, wy)));
+    const Vec product = hn::MulAdd(t.gx, s.gx, hn::MulAdd(t.gy, s.gy, hn::Mul(t.gz, s.gz)));
+    add_product(own + 3 * kChunk, product, wx);
+    add_product(own + 4 * kChunk, product, wy);
+    add_product(own + 5 * kChunk, product, wz);
+    sums.bx = hn::MulAdd(product, wx, sums.bx);
+    sums.by = hn::MulAdd(product, wy, sums.by);
+    sums.bz = hn::MulAdd(product, wz, sums.bz);
+    add_cross(own + 6 * kChunk, s.gy, wz, s.gz, wy);
+    add_cross(own + 7 * kChunk, s.gz, wx, s.gx, wz);
+    add_cross(own + 8 * kChunk, s.gx, wy, s.gy, wx);
+    sums.ux = add_cross(sums.ux, t.gz, wy, t.gy, wz);
+    sums.uy = add_cross(sums.uy, t.gx, wz, t.gz, wx);
+    sums.uz = add_cross(sums.uz, t.gy, wx, t.gx, wy);
   }
 }
 
@@ -122,7 +138,8 @@ void add_row(const VortexSources& sources, std::size_t row, double delta_squared
   for (std::size_t t = 0; t < pair_row; ++t)
     for (std::size_t c = 0; c < components; ++c) {
       const double* v = own + t * size + c * kChunk;
-      out[c * stride + first + t] += ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+      const double sum = ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+      out[c * stride + first + t] += c / 3 == 1 ? -sum : sum;
     }
 }
 

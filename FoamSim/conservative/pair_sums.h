@@ -29,7 +29,8 @@ enum class PairTerms {
 /// Sums over all pairs of triangles, each pair visited once for both of its members: O(n²).
 ///
 /// SIMD with run-time choice of the instruction set; pairs are shared out among a fixed number of groups, whose sums
-/// are added up in a fixed order: same bits for any number of threads and any instruction set.
+/// are added up in a fixed order: same bits for any number of threads, and for any instruction set that has fused
+/// multiplication (AVX2, AVX-512, NEON).
 class DirectPairSums {
  public:
   /// @param sources barycentres (L) and strengths γ (L³/T); distances from 1e-90 to 1e90, or zero.

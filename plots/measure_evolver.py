@@ -60,8 +60,8 @@ def start_surface():
     return points, facets
 
 
-def write_datafile(path):
-    points, facets = start_surface()
+def write_datafile(path, points, facets, volumes):
+    """A start surface for evolver; volumes by body."""
     edges = {}
 
     def edge(a, b):
@@ -74,11 +74,11 @@ def write_datafile(path):
     for i, (_, _, _, front, back) in enumerate(facets, 1):
         bodies[back].append(i)  # its normal points out of the body behind
         bodies[front].append(-i)
-    lines = ["// two equal bubbles", "vertices"]
+    lines = ["vertices"]
     lines += [f"{i} {x:.17g} {y:.17g} {z:.17g}" for i, (x, y, z) in enumerate(points, 1)]
     lines += ["edges"] + [f"{i} {a + 1} {b + 1}" for (a, b), i in edges.items()]
     lines += ["faces"] + [f"{i} {a} {b} {c}" for i, (a, b, c) in enumerate(loops, 1)]
-    lines += ["bodies"] + [f"{b} {' '.join(map(str, bodies[b]))} volume {VOLUME}" for b in (1, 2)]
+    lines += ["bodies"] + [f"{b} {' '.join(map(str, bodies[b]))} volume {v:.17g}" for b, v in volumes.items()]
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -152,7 +152,7 @@ def main(folder, levels):
         print("Surface Evolver (package evolver-nox) is not installed: its curve is left out")
         return
     datafile = folder / "evolver.fe"
-    write_datafile(datafile)
+    write_datafile(datafile, *start_surface(), {1: VOLUME, 2: VOLUME})
     result = subprocess.run(["evolver", str(datafile)], input=commands(levels), capture_output=True, text=True,
                             check=False, timeout=600)
     found = parse(result.stdout)

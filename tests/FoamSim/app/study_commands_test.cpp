@@ -1,7 +1,9 @@
 // foamsim study accuracy and stability: what they write and print, and Surface Evolver's curve beside them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "program.h"
@@ -99,6 +101,31 @@ TEST(EvolverScript, ConvergesToTheClosedForm) {
     EXPECT_NEAR(number(level - 1, 4) / number(level, 4), 2, 0.4) << "angles of the facets";
   }
   EXPECT_LT(std::abs(number(3, 3)), 0.005) << "pressure";
+}
+
+// Newton's method on the very mesh at which the conservative dynamics have come to rest.
+TEST(EvolverScript, FindsNothingToWinWhereTheConservativeDynamicsRest) {
+  if (!fs::exists("/usr/bin/evolver") || !fs::exists("/usr/bin/python3")) GTEST_SKIP() << "evolver is not installed";
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run doublebubble --set dynamics=conservative --set n=12 --set dt=auto --set viscosity=0.1 "
+                        "--set effects=surface_tension,volumes,damping --set damping=0.02 --set damping_from=3 --set "
+                        "frame_every=0 --time 10 "
+                        "--out " +
+                        (scratch / "run"))
+                .exit_code,
+            0);
+  std::string frame;
+  for (const auto& entry : fs::directory_iterator(scratch / "run/frames"))
+    frame = std::max(frame, entry.path().string());
+  const std::string relaxed = scratch / "relaxed.ply",
+                    script = (fs::path(FOAMSIM_EVOLVER_SCRIPT).parent_path() / "relax_in_evolver.py").string();
+  ASSERT_EQ(std::system(("/usr/bin/python3 " + script + " " + frame + " " + relaxed + " >/dev/null 2>&1").c_str()), 0);
+  const auto inspected = [](const std::string& file) {
+    return nlohmann::json::parse(run_foamsim("inspect --json " + file).out);
+  };
+  const auto before = inspected(frame), after = inspected(relaxed);
+  EXPECT_NEAR(after["area"].get<double>() / before["area"].get<double>(), 1, 2e-5);
+  EXPECT_NEAR(after["angle_rms_deg"].get<double>(), before["angle_rms_deg"].get<double>(), 0.1);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ void AttributeRegistry::gather(std::span<const std::uint32_t> old_slot_of_new) {
 }
 
 std::size_t AttributeRegistry::memory_bytes() const {
-  std::size_t bytes = (columns_.capacity() + named_.capacity()) * sizeof(AttributeColumn*);
+  std::size_t bytes = (columns_.capacity() + named_.capacity()) * sizeof(void*);
   for (const AttributeColumn* column : columns_) bytes += column->memory_bytes();
   for (const StoredAttribute& attribute : waiting_) bytes += attribute.values->memory_bytes();
   return bytes;

@@ -130,6 +130,7 @@ void add_fan(LabelledSurface& to, const FilmPolygon& film, const std::vector<std
   };
   if (points.size() == 3) return add(points[0], points[1], points[2]);
   std::vector<Vec3> corners;
+  corners.reserve(points.size());
   for (std::uint32_t point : points) corners.push_back(surface.points[point]);
   const auto centre = static_cast<std::uint32_t>(surface.points.size());
   surface.points.push_back(centre_of_area(corners));

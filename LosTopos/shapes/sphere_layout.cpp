@@ -40,8 +40,8 @@ std::vector<Sphere> grid(long count, Uniform& uniform) {
   while (side * side * side < count) ++side;
   std::vector<Sphere> spheres;
   for (long i = 0; i < count; ++i) {
-    const Vec3 node(static_cast<double>(i % side), static_cast<double>(i / side % side),
-                    static_cast<double>(i / (side * side)));
+    const long row = i / side % side, layer = i / (side * side);
+    const Vec3 node(static_cast<double>(i % side), static_cast<double>(row), static_cast<double>(layer));
     const Vec3 centre = node + uniform.point(-jitter, jitter);
     spheres.push_back({centre, uniform(smallest_in_grid, largest_in_grid)});
   }

@@ -21,6 +21,7 @@ TripleJunction triple_junction(const std::array<double, 3>& degrees, int stretch
     for (int row = 1; row <= rows; ++row) {
       const double distance = row * (film == stretched ? stretch : 1.0);
       std::vector<Vertex> outer;
+      outer.reserve(static_cast<std::size_t>(along));
       for (int i = 0; i < along; ++i)
         outer.push_back(junction.mesh.add_vertex(Vec3(static_cast<double>(i - 3), 0, 0) + distance * out));
       for (std::size_t i = 0; i + 1 < inner.size(); ++i) {

@@ -89,7 +89,7 @@ std::vector<CornerName> corner_names(const Cell& cell, int index) {
   return names;
 }
 
-FilmPolygons::Corner corner_at(Vec3 position, const CornerName& name) {
+FilmPolygons::Corner corner_at(const Vec3& position, const CornerName& name) {
   FilmPolygons::Corner corner{position, {}};
   for (int wall = first_wall; wall <= last_wall; ++wall) {
     if (!std::binary_search(name.begin(), name.end(), wall)) continue;

@@ -8,7 +8,7 @@
 namespace lostopos {
 
 /// A part of the neighbourhood of a vertex that its films cut out. A region may have several.
-struct Sector {
+struct Sector {  // NOLINT(bugprone-exception-escape): lists of triangles throw only for want of memory
   Region region;
   SurfaceMesh::TriangleList triangles;  ///< of the vertex, that bound it
 };

@@ -14,6 +14,7 @@ constexpr double usual = 0.01, duration = 4;
 
 std::vector<CaseRun> runs(const CaseSetup& setup) {
   std::vector<CaseRun> all;
+  all.reserve(steps_of_time.size());
   for (double dt : steps_of_time)
     all.push_back({"dt " + base::to_text(dt), [setup, dt] { return simulated(setup, double_bubble(16), {.dt = dt}); },
                    scaled_steps(std::lround(duration / dt), setup)});

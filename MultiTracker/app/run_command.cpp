@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -16,7 +17,7 @@ namespace multitracker::app {
 namespace {
 
 struct Arguments {
-  std::string scene, mesh, out;
+  std::string scene, mesh, out, resume;
   std::vector<std::string> assignments;
   std::optional<long> steps, seed;
   int threads = 0;
@@ -31,7 +32,7 @@ base::OptionSet options_from(const Arguments& arguments, const SceneEntry& scene
   return options;
 }
 
-void print_summary(const RunOutcome& outcome, const Arguments& arguments) {
+void print_summary(const RunOutcome& outcome, const RunSettings& settings) {
   const Metrics &a = outcome.start, &b = outcome.last;
   std::printf("%s after step %ld (time %g): %zu -> %zu triangles, %zu -> %zu regions, %.1f s\n", name(outcome.end),
               b.step, b.time, a.triangles, b.triangles, a.regions, b.regions, outcome.wall_seconds);
@@ -43,7 +44,7 @@ void print_summary(const RunOutcome& outcome, const Arguments& arguments) {
     std::printf(" %zu %s,", outcome.topology.operations[i].done,
                 lostopos::name(static_cast<lostopos::TopologyOperation>(i)));
   std::printf(" %zu vertices left incomplete\n", outcome.topology.incomplete_vertices);
-  if (!arguments.out.empty()) std::printf("output in %s\n", arguments.out.c_str());
+  if (!settings.out.empty()) std::printf("output in %s\n", settings.out.c_str());
 }
 
 int exit_code_of(RunEnd end) {
@@ -51,31 +52,69 @@ int exit_code_of(RunEnd end) {
   return end == RunEnd::failed ? exit_cannot_go_on : exit_done;
 }
 
-int run_scene(const Arguments& arguments, const Program& program) {
+Origin origin_of(const Arguments& arguments) {
+  if (arguments.scene.empty()) throw base::InputError("run needs a scene (see 'multitracker scenes') or --resume FILE");
   const SceneEntry& scene = scene_by_name(arguments.scene);
-  const base::OptionSet options = options_from(arguments, scene);
+  Origin origin{.scene = &scene, .options = options_from(arguments, scene), .mesh_file = arguments.mesh};
+  if (!arguments.mesh.empty()) origin.given = lostopos::to_mesh(lostopos::read_surface(arguments.mesh)).state();
+  return origin;
+}
+
+Checkpoint checkpoint_of(const Arguments& arguments) {
+  if (!arguments.scene.empty() || !arguments.mesh.empty() || !arguments.assignments.empty() || arguments.seed)
+    throw base::InputError("--resume goes on with the scene of the checkpoint; leave out the scene and its options");
+  return read_checkpoint(arguments.resume);
+}
+
+RunSettings settings_of(const Arguments& arguments, const Program& program) {
+  namespace fs = std::filesystem;
+  RunSettings settings{.out = arguments.out,
+                       .force = arguments.force,
+                       .audit = arguments.audit,
+                       .call = {MULTITRACKER_VERSION, program.command_line}};
+  if (arguments.resume.empty()) return settings;
+  const fs::path file = arguments.resume;
+  const fs::path folder = fs::is_directory(file)       ? file
+                          : file.parent_path().empty() ? fs::path(".")
+                                                       : file.parent_path();
+  if (arguments.out.empty()) settings.out = folder;
+  settings.go_on = fs::weakly_canonical(settings.out) == fs::weakly_canonical(folder);
+  return settings;
+}
+
+void report(const RunOutcome& outcome, const RunSettings& settings, const Arguments& arguments,
+            const Program& program) {
+  if (outcome.end == RunEnd::failed) {
+    base::print_error(program.name, outcome.message);
+    base::print_error(program.name, "the last good state is " + (settings.out.empty() ? "not saved; give --out DIR"
+                                                                                      : outcome.last_frame.string()));
+  }
+  if (arguments.quiet) return;
+  print_summary(outcome, settings);
+  if (outcome.end == RunEnd::interrupted && !outcome.checkpoint.empty())
+    std::printf("to go on: %s run --resume %s%s\n", program.name.c_str(), outcome.checkpoint.c_str(),
+                arguments.steps ? (" --steps " + std::to_string(*arguments.steps)).c_str() : "");
+  else if (outcome.end != RunEnd::failed && !outcome.message.empty())
+    std::printf("%s\n", outcome.message.c_str());
+}
+
+int run_scene(const Arguments& arguments, const Program& program) {
   if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
   const base::ThreadLimit limit(arguments.threads);
-  std::optional<lostopos::SurfaceMesh> surface;
-  if (!arguments.mesh.empty()) surface = lostopos::to_mesh(lostopos::read_surface(arguments.mesh));
-  Tracking tracking(scene, options, std::move(surface));
+  const bool resuming = !arguments.resume.empty();
+  const auto tracking = resuming ? std::make_unique<Tracking>(checkpoint_of(arguments))
+                                 : std::make_unique<Tracking>(origin_of(arguments));
+  const RunSettings settings = settings_of(arguments, program);
+  const long last_step = arguments.steps.value_or(tracking->origin().options.whole("steps"));
+  if (last_step < 0) throw base::InputError("--steps has to be a whole number >= 0");
   const base::InterruptGuard guard;
   const RunOutcome outcome = [&] {
-    base::Progress progress(arguments.scene, arguments.quiet);
-    return run(tracking, options.whole("steps"), options.whole("frame_every"),
-               {arguments.out,
-                arguments.force,
-                arguments.audit,
-                {MULTITRACKER_VERSION, program.command_line, arguments.scene, arguments.mesh, options}},
+    base::Progress progress(std::string(tracking->origin().scene->name), arguments.quiet);
+    return run(*tracking, last_step, settings,
                {[&](const Metrics& m, double fraction) { progress.show(m.step, m.time, fraction); },
                 [] { return base::InterruptGuard::interrupted(); }});
   }();
-  if (outcome.end == RunEnd::failed) {
-    base::print_error(program.name, outcome.message);
-    base::print_error(program.name, "the last good state is " + (arguments.out.empty() ? "not saved; give --out DIR"
-                                                                                       : outcome.last_frame.string()));
-  }
-  if (!arguments.quiet) print_summary(outcome, arguments);
+  report(outcome, settings, arguments, program);
   return exit_code_of(outcome.end);
 }
 
@@ -103,8 +142,11 @@ void add_run_command(base::Command& root, const Program& program) {
   command.add({.name = "scene",
                .target = &a->scene,
                .help = "see 'multitracker scenes', which also lists the keys of --set",
-               .required = true,
                .names = scene_names()});
+  command.add({.name = "--resume",
+               .target = &a->resume,
+               .help = "go on from this checkpoint.cbor, or that of this folder",
+               .offers = Argument::Offers::files});
   command.add({.name = "--mesh",
                .target = &a->mesh,
                .help = "start from this mesh file instead of the scene's own surface",
@@ -114,7 +156,7 @@ void add_run_command(base::Command& root, const Program& program) {
                .help = "key=value; repeat for more (see 'multitracker scenes SCENE')",
                .list = Argument::List::words,
                .assigns = all_option_specs()});
-  command.add({.name = "--steps", .target = &a->steps, .help = "number of steps"});
+  command.add({.name = "--steps", .target = &a->steps, .help = "number of steps, counted from the scene's start"});
   command.add({.name = "--seed", .target = &a->seed, .help = "seed of everything random"});
   command.add({.name = "--out",
                .target = &a->out,

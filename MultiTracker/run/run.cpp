@@ -7,17 +7,20 @@
 namespace multitracker {
 namespace {
 
-lostopos::run::Output output_of(const RunSettings& settings, long frame_every) {
+lostopos::run::Output output_of(const Tracking& tracking, const RunSettings& settings) {
+  const Origin& origin = tracking.origin();
   lostopos::run::Output output;
   output.folder = settings.out;
   output.force = settings.force;
-  output.frame_every = frame_every;
-  const RunCall& call = settings.call;
-  const nlohmann::ordered_json description = {{"version", call.version},
-                                              {"command", call.command},
-                                              {"scene", call.scene},
-                                              {"mesh_file", call.mesh_file},
-                                              {"options", base::options_to_json(call.options)}};
+  output.go_on = settings.go_on;
+  output.frame_every = origin.options.whole("frame_every");
+  output.checkpoint_every = origin.options.whole("checkpoint_every");
+  output.checkpoint = checkpoint_format();
+  const nlohmann::ordered_json description = {{"version", settings.call.version},
+                                              {"command", settings.call.command},
+                                              {"scene", origin.scene->name},
+                                              {"mesh_file", origin.mesh_file},
+                                              {"options", base::options_to_json(origin.options)}};
   output.describe = [description](nlohmann::ordered_json& run) { run.update(description); };
   return output;
 }
@@ -29,13 +32,13 @@ std::string defect_of(const Tracking& tracking) {
 
 }  // namespace
 
-RunOutcome run(Tracking& tracking, long steps, long frame_every, const RunSettings& settings, const RunHooks& hooks) {
-  lostopos::run::require_countable(static_cast<double>(steps), tracking.dt());
-  lostopos::run::Plan plan{.last_step = steps};
+RunOutcome run(Tracking& tracking, long last_step, const RunSettings& settings, const RunHooks& hooks) {
+  lostopos::run::require_countable(static_cast<double>(last_step), tracking.dt());
+  lostopos::run::Plan plan{.last_step = last_step};
   if (settings.audit) plan.defect = [&tracking] { return defect_of(tracking); };
   lostopos::run::Hooks own{.stepped = {}, .interrupted = hooks.interrupted};
   if (hooks.progress) own.stepped = [&](double fraction) { hooks.progress(tracking.metrics(), fraction); };
-  lostopos::run::Outcome done = lostopos::run::run_motion(tracking, plan, output_of(settings, frame_every), own);
+  lostopos::run::Outcome done = lostopos::run::run_motion(tracking, plan, output_of(tracking, settings), own);
   return {.end = done.end,
           .message = std::move(done.message),
           .start = tracking.start(),
@@ -43,7 +46,8 @@ RunOutcome run(Tracking& tracking, long steps, long frame_every, const RunSettin
           .topology = std::move(done.work.topology),
           .remesh = done.work.remesh,
           .wall_seconds = done.wall_seconds,
-          .last_frame = std::move(done.last_frame)};
+          .last_frame = std::move(done.last_frame),
+          .checkpoint = std::move(done.checkpoint)};
 }
 
 }  // namespace multitracker

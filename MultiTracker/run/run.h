@@ -11,14 +11,14 @@ namespace multitracker {
 
 /// How a run was called for: what its run.json begins with.
 struct RunCall {
-  std::string version, command, scene, mesh_file;
-  base::OptionSet options = base::OptionSet({});
+  std::string version, command;
 };
 
 struct RunSettings {
-  std::filesystem::path out;  ///< empty: nothing is written
-  bool force = false;         ///< replace a run that the folder holds
-  bool audit = false;         ///< audit the surface after every step, and stop when it is not clean
+  std::filesystem::path out = {};  ///< empty: nothing is written
+  bool force = false;              ///< replace a run that the folder holds
+  bool go_on = false;              ///< the tracking comes from the folder's own checkpoint: its tables go on
+  bool audit = false;              ///< audit the surface after every step, and stop when it is not clean
   RunCall call = {};
 };
 
@@ -37,12 +37,11 @@ struct RunOutcome {
   lostopos::TopologyStatistics topology;  ///< of all steps, without the events
   lostopos::RemeshStatistics remesh;
   double wall_seconds = 0;
-  std::filesystem::path last_frame;  ///< the last good state; empty when nothing is written
+  std::filesystem::path last_frame, checkpoint;  ///< the last good state; empty when nothing is written
 };
 
-/// Does `steps` steps of a scene that is at its start. A step that cannot be done, or after which the audit finds
+/// Goes on to `last_step`, counted from the scene's start. A step that cannot be done, or after which the audit finds
 /// something, ends the run as failed; what was done until then is kept.
-RunOutcome run(Tracking& tracking, long steps, long frame_every, const RunSettings& settings,
-               const RunHooks& hooks = {});
+RunOutcome run(Tracking& tracking, long last_step, const RunSettings& settings, const RunHooks& hooks = {});
 
 }  // namespace multitracker

@@ -26,14 +26,29 @@ ordered_json state_json(const Metrics& m) {
           {"volume_drift_max", m.volume_drift_max}};
 }
 
+SurfaceMesh start_surface(const Origin& origin) {
+  return origin.given ? SurfaceMesh::from_state(*origin.given) : origin.scene->surface(origin.options);
+}
+
 }  // namespace
 
-Tracking::Tracking(const SceneEntry& scene, const base::OptionSet& options, std::optional<SurfaceMesh> surface)
-    : closed_(scene.closed),
-      drive_(scene.drive(options, surface ? *surface : surface.emplace(scene.surface(options)))),
-      tracker_(start_tracker(scene, options, std::move(*surface))) {
-  if (closed_) start_volumes_ = lostopos::region_volumes(mesh());
+Tracking::Tracking(Origin origin) : Tracking(std::move(origin), start_surface(origin)) {}
+
+Tracking::Tracking(Origin&& origin, SurfaceMesh surface)
+    : origin_(std::move(origin)),
+      drive_(origin_.scene->drive(origin_.options, surface)),
+      tracker_(start_tracker(*origin_.scene, origin_.options, std::move(surface))) {
+  if (origin_.scene->closed) start_volumes_ = lostopos::region_volumes(mesh());
   start_ = metrics_ = measure(mesh(), {}, start_volumes_);
+}
+
+Tracking::Tracking(Checkpoint checkpoint) : Tracking(std::move(checkpoint.origin)) {
+  tracker_.restore(checkpoint.surface);
+  start_volumes_ = std::move(checkpoint.start_volumes);
+  start_ = checkpoint.start;
+  metrics_ = measure(mesh(), {}, start_volumes_);
+  metrics_.step = checkpoint.step;
+  metrics_.time = static_cast<double>(checkpoint.step) * drive_.dt;
 }
 
 void Tracking::step() {
@@ -66,8 +81,12 @@ void Tracking::summarize(ordered_json& run) const {
   run["last"] = state_json(metrics_);
 }
 
+void Tracking::save(nlohmann::json& checkpoint) const {
+  checkpoint = checkpoint_content({origin_, tracker_.state(), metrics_.step, start_, start_volumes_});
+}
+
 lostopos::AuditReport Tracking::audit() const {
-  return lostopos::audit(mesh(), {.closed_regions = closed_});
+  return lostopos::audit(mesh(), {.closed_regions = origin_.scene->closed});
 }
 
 }  // namespace multitracker

@@ -1,22 +1,20 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/run/motion.h"
-#include "MultiTracker/run/metrics.h"
-#include "MultiTracker/scenes/scene.h"
+#include "MultiTracker/run/checkpoint.h"
 
 namespace multitracker {
 
 /// A scene on its way, step by step.
 class Tracking final : public lostopos::run::Motion {
  public:
-  /// Starts on `surface`, or on the scene's own. Throws base::InputError for options out of range.
-  Tracking(const SceneEntry& scene, const base::OptionSet& options,
-           std::optional<lostopos::SurfaceMesh> surface = std::nullopt);
+  /// Starts on the given surface, or on the scene's own. Throws base::InputError for options out of range.
+  explicit Tracking(Origin origin);
+  /// Goes on from a checkpoint.
+  explicit Tracking(Checkpoint checkpoint);
 
   /// Throws what SurfaceTracker::step throws; the surface is then as the last part of a step that could be done left
   /// it.
@@ -29,17 +27,22 @@ class Tracking final : public lostopos::run::Motion {
   std::vector<lostopos::run::Table> tables() const override;
   /// The surface's measures at the start and now.
   void summarize(nlohmann::ordered_json& run) const override;
+  bool resumable() const override { return true; }
+  void save(nlohmann::json& checkpoint) const override;
 
   const lostopos::SurfaceTracker& tracker() const { return tracker_; }
   /// Of the last step; at the start: no motion, nothing done.
   const Metrics& metrics() const { return metrics_; }
   const Metrics& start() const { return start_; }
+  const Origin& origin() const { return origin_; }
   double dt() const { return drive_.dt; }
   /// With open ends allowed where the scene has them.
   lostopos::AuditReport audit() const;
 
  private:
-  bool closed_;
+  Tracking(Origin&& origin, lostopos::SurfaceMesh surface);
+
+  Origin origin_;
   Drive drive_;
   lostopos::SurfaceTracker tracker_;
   std::vector<lostopos::RegionVolume> start_volumes_;

@@ -26,6 +26,7 @@ std::vector<base::OptionSpec> common_option_specs() {
       base::non_negative_number("resolution", 0, "target mean edge length; 0: that of the start surface"),
       base::whole_number("steps", 100, 0, "number of steps"),
       base::whole_number("frame_every", 10, 0, "steps from one frame to the next; 0: only the first and the last"),
+      base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
       base::whole_number("seed", 1, 0, "seed of everything random"),
   };
   lostopos::TrackerOptions plain;

@@ -28,8 +28,8 @@ base::OptionSet options_of_run(const RobustnessOptions& options, long spheres, d
 
 // In the child. The text is the figures, then the message.
 std::string do_run(const base::OptionSet& options, bool audit_every_step) {
-  Tracking tracking(scene_by_name("normal-flow"), options);
-  RunOutcome outcome = run(tracking, options.whole("steps"), 0, {{}, false, audit_every_step});
+  Tracking tracking(Origin{.scene = &scene_by_name("normal-flow"), .options = options});
+  RunOutcome outcome = run(tracking, options.whole("steps"), {.audit = audit_every_step});
   if (outcome.end == RunEnd::finished) {
     const lostopos::AuditReport report = tracking.audit();
     if (!report.clean()) {

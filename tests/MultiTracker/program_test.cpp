@@ -42,6 +42,11 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCase{"no_spheres", "study robustness --spheres 0", {"--spheres", ">= 1"}},
                     BadCase{"no_step", "study robustness --steps-of 0", {"--steps-of 0", "> 0"}},
                     BadCase{"no_scene", "run", {"scene"}},
+                    BadCase{"no_checkpoint", "run --resume nowhere.cbor", {"nowhere.cbor", "checkpoint"}},
+                    BadCase{"no_whole_checkpoint",
+                            "run --resume " MULTITRACKER_PROGRAM,
+                            {MULTITRACKER_PROGRAM, "not a whole checkpoint"}},
+                    BadCase{"scene_and_checkpoint", "run T1 --resume x", {"--resume", "leave out the scene"}},
                     BadCase{"mistyped_command", "rnu T1", {"unknown command 'rnu'", "did you mean 'run'"}},
                     BadCase{"mistyped_study", "study robustnes", {"did you mean 'robustness'"}},
                     BadCase{"mistyped_flag", "run T1 --adit", {"unknown option '--adit'", "did you mean '--audit'"}},
@@ -83,8 +88,8 @@ TEST(FullDisk, EndsTheRunWithAMessage) {
 
 TEST(Interrupted, FinishesTheStepAndKeepsWhatThereIs) {
   const ScratchFolder scratch;
-  const ProgramResult result =
-      run_multitracker("run noise --steps 1000000 --out " + (scratch / "run"), "timeout --preserve-status -s INT 2");
+  const ProgramResult result = run_multitracker("run noise --steps 1000000 --out " + (scratch / "run"),
+                                                "timeout --foreground --preserve-status -s INT 2");
   EXPECT_EQ(result.exit_code, 130) << result.error;
   const json run = json::parse(read_file(scratch / "run/run.json"));
   EXPECT_EQ(run["ended"], "interrupted");
@@ -94,10 +99,41 @@ TEST(Interrupted, FinishesTheStepAndKeepsWhatThereIs) {
   EXPECT_EQ(run_multitracker("run noise --steps 1 --mesh " + frame.string()).exit_code, 0);
 }
 
+// Flow, surface from a file, remeshing, what the last step has moved: all as if there had been no pause.
+TEST(Interrupted, GoesOnToTheSameBits) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_multitracker("run normal-flow --steps 0 --quiet --out " + (scratch / "mesh")).exit_code, 0);
+  const std::string mesh = (scratch / "mesh/frames/frame_000000.ply");
+  for (const std::string& scene :
+       std::vector<std::string>{"normal-flow --set step=0.1 --set frame_every=5", "zalesak", "mcf --set cells=12",
+                                "normal-flow --set step=0.1 --mesh " + mesh}) {
+    const std::string whole = scratch / "whole", parts = scratch / "parts", quiet = " --force --quiet --out ";
+    const ProgramResult uninterrupted = run_multitracker("run " + scene + " --steps 15" + quiet + whole);
+    ASSERT_EQ(uninterrupted.exit_code, 0) << uninterrupted.error;
+    ASSERT_EQ(run_multitracker("run " + scene + " --steps 8" + quiet + parts).exit_code, 0);
+    const ProgramResult resumed = run_multitracker("run --resume " + parts + " --steps 15 --quiet");
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.error;
+    for (const char* file : {"/frames/frame_000015.ply", "/volumes.csv", "/events.csv"})
+      EXPECT_TRUE(read_file(parts + file) == read_file(whole + file)) << scene << file;
+    EXPECT_EQ(json::parse(read_file(parts + "/run.json"))["start"],
+              json::parse(read_file(whole + "/run.json"))["start"]);
+  }
+}
+
+TEST(Interrupted, SaysHowToGoOn) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_multitracker("run noise --steps 1000000 --out " + (scratch / "run"),
+                                                "timeout --foreground --preserve-status -s TERM 1");
+  EXPECT_NE(result.out.find("to go on: multitracker run --resume " + (scratch / "run/checkpoint.cbor") +
+                            " --steps 1000000\n"),
+            std::string::npos)
+      << result.out;
+}
+
 TEST(Interrupted, ExitCodeTellsTheSignal) {
   for (const auto& [signal, code] : {std::pair{"TERM", 143}, {"HUP", 129}})
     EXPECT_EQ(run_multitracker("run noise --steps 1000000 --quiet",
-                               std::string("timeout --preserve-status -s ") + signal + " 1")
+                               std::string("timeout --foreground --preserve-status -s ") + signal + " 1")
                   .exit_code,
               code);
 }

@@ -20,7 +20,7 @@ using test::volume_of;
 TEST(Scenes, StartCleanAndTakeAStep) {
   for (const SceneEntry& scene : scene_entries()) {
     SCOPED_TRACE(scene.name);
-    Tracking tracking(scene, options_of(scene));
+    Tracking tracking(Origin{.scene = &scene, .options = options_of(scene)});
     EXPECT_EQ(tracking.audit().text(), "clean");
     tracking.step();
     EXPECT_EQ(tracking.audit().text(), "clean");

@@ -22,7 +22,7 @@ inline base::OptionSet options_with(const SceneEntry& scene, const Settings& set
 /// A scene with some settings, at its start.
 inline Tracking start(std::string_view name, const Settings& settings = {}) {
   const SceneEntry& scene = scene_by_name(name);
-  return {scene, options_with(scene, settings)};
+  return Tracking(Origin{.scene = &scene, .options = options_with(scene, settings)});
 }
 
 /// Does a step and expects a clean audit; false when something is wrong, so that a loop can stop.

@@ -33,7 +33,7 @@ std::string without_seconds(const std::string& table) {
 TEST(InterruptedRun, FinishesTheStepAndSaysSo) {
   const ScratchFolder scratch;
   const ProgramResult result = run_foamsim("run doublebubble --set n=24 --time 1e6 --out " + (scratch / "run"),
-                                           "timeout --preserve-status -s INT 2");
+                                           "timeout --foreground --preserve-status -s INT 2");
   EXPECT_EQ(result.exit_code, 130) << result.error;
   const json run = json::parse(read_file(scratch / "run/run.json"));
   EXPECT_EQ(run["ended"], "interrupted");
@@ -45,7 +45,7 @@ TEST(InterruptedRun, OfEverySignalSavesAndSaysHowToGoOn) {
   for (const auto& [signal, code] : {std::pair{"TERM", 143}, {"HUP", 129}, {"INT", 130}}) {
     const ScratchFolder scratch;
     const ProgramResult result = run_foamsim("run doublebubble --steps 1000000 --out " + (scratch / "run"),
-                                             std::string("timeout --preserve-status -s ") + signal + " 1");
+                                             std::string("timeout --foreground --preserve-status -s ") + signal + " 1");
     EXPECT_EQ(result.exit_code, code) << result.error;
     EXPECT_EQ(json::parse(read_file(scratch / "run/run.json"))["ended"], "interrupted") << signal;
     EXPECT_TRUE(fs::exists(scratch.path() / "run/checkpoint.cbor")) << signal;

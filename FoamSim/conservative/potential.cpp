@@ -124,38 +124,22 @@ struct StoredPotential {
   double value;
 };
 
+using PotentialCodec = ListCodec<foamsim::VertexPotential, StoredPotential>;
+
 }  // namespace
 
 void AttributeCodec<foamsim::VertexPotential>::encode(std::span<const foamsim::VertexPotential> values,
                                                       std::vector<std::uint8_t>& bytes) {
-  std::vector<std::uint64_t> counts{values.size()};
-  std::vector<StoredPotential> stored;
-  for (const auto& of_vertex : values) {
-    counts.push_back(of_vertex.size());
-    for (const auto& [region, value] : of_vertex) stored.push_back({region.index(), value});
-  }
-  PlainCodec<std::uint64_t>::encode(counts, bytes);
-  PlainCodec<StoredPotential>::encode(stored, bytes);
+  PotentialCodec::encode(values, bytes, [](const foamsim::RegionPotential& own) {
+    return StoredPotential{own.region.index(), own.value};
+  });
 }
 
 std::optional<std::vector<foamsim::VertexPotential>> AttributeCodec<foamsim::VertexPotential>::decode(
     std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t word = sizeof(std::uint64_t);
-  if (bytes.size() < word) return {};
-  const std::uint64_t vertices = PlainCodec<std::uint64_t>::decode(bytes.first(word))->front();
-  if (vertices > bytes.size() / word - 1) return {};
-  const auto counts = PlainCodec<std::uint64_t>::decode(bytes.subspan(word, vertices * word));
-  const auto stored = PlainCodec<StoredPotential>::decode(bytes.subspan((vertices + 1) * word));
-  if (!counts || !stored) return {};
-  std::vector<foamsim::VertexPotential> values(vertices);
-  std::size_t next = 0;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if ((*counts)[v] > stored->size() - next) return {};
-    for (std::uint64_t i = 0; i < (*counts)[v]; ++i, ++next)
-      values[v].push_back({Region(static_cast<std::uint32_t>((*stored)[next].region)), (*stored)[next].value});
-  }
-  if (next != stored->size()) return {};
-  return values;
+  return PotentialCodec::decode(bytes, [](const StoredPotential& stored) {
+    return foamsim::RegionPotential{Region(static_cast<std::uint32_t>(stored.region)), stored.value};
+  });
 }
 
 }  // namespace lostopos

@@ -122,40 +122,22 @@ struct StoredPair {
   double value;
 };
 
+using CirculationCodec = ListCodec<foamsim::VertexCirculation, StoredPair>;
+
 }  // namespace
 
 void AttributeCodec<foamsim::VertexCirculation>::encode(std::span<const foamsim::VertexCirculation> values,
                                                         std::vector<std::uint8_t>& bytes) {
-  std::vector<std::uint64_t> counts{values.size()};
-  std::vector<StoredPair> pairs;
-  for (const auto& of_vertex : values) {
-    counts.push_back(of_vertex.size());
-    for (const auto& [pair, value] : of_vertex) pairs.push_back({pair.low.index(), pair.high.index(), value});
-  }
-  PlainCodec<std::uint64_t>::encode(counts, bytes);
-  PlainCodec<StoredPair>::encode(pairs, bytes);
+  CirculationCodec::encode(values, bytes, [](const foamsim::PairCirculation& own) {
+    return StoredPair{own.pair.low.index(), own.pair.high.index(), own.value};
+  });
 }
 
 std::optional<std::vector<foamsim::VertexCirculation>> AttributeCodec<foamsim::VertexCirculation>::decode(
     std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t word = sizeof(std::uint64_t);
-  if (bytes.size() < word) return {};
-  const std::uint64_t vertices = PlainCodec<std::uint64_t>::decode(bytes.first(word))->front();
-  if (vertices > bytes.size() / word - 1) return {};
-  const auto counts = PlainCodec<std::uint64_t>::decode(bytes.subspan(word, vertices * word));
-  const auto pairs = PlainCodec<StoredPair>::decode(bytes.subspan((vertices + 1) * word));
-  if (!counts || !pairs) return {};
-  std::vector<foamsim::VertexCirculation> values(vertices);
-  std::size_t next = 0;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if ((*counts)[v] > pairs->size() - next) return {};
-    for (std::uint64_t i = 0; i < (*counts)[v]; ++i) {
-      const auto& [low, high, value] = (*pairs)[next++];
-      values[v].push_back({foamsim::RegionPair(Region(low), Region(high)), value});
-    }
-  }
-  if (next != pairs->size()) return {};
-  return values;
+  return CirculationCodec::decode(bytes, [](const StoredPair& stored) {
+    return foamsim::PairCirculation{foamsim::RegionPair(Region(stored.low), Region(stored.high)), stored.value};
+  });
 }
 
 }  // namespace lostopos

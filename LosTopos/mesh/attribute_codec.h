@@ -46,6 +46,41 @@ struct PlainCodec {
   }
 };
 
+/// For values that are lists: how many members each has, and behind that the members as `Stored`, a plain struct.
+/// `store` makes one of a member, `restore` a member of one.
+template <class List, class Stored>
+struct ListCodec {
+  template <class Store>
+  static void encode(std::span<const List> values, std::vector<std::uint8_t>& bytes, Store&& store) {
+    std::vector<std::uint64_t> counts{values.size()};
+    std::vector<Stored> members;
+    for (const List& list : values) {
+      counts.push_back(list.size());
+      for (const auto& member : list) members.push_back(store(member));
+    }
+    PlainCodec<std::uint64_t>::encode(counts, bytes);
+    PlainCodec<Stored>::encode(members, bytes);
+  }
+  template <class Restore>
+  static std::optional<std::vector<List>> decode(std::span<const std::uint8_t> bytes, Restore&& restore) {
+    constexpr std::size_t word = sizeof(std::uint64_t);
+    if (bytes.size() < word) return {};
+    const std::uint64_t lists = PlainCodec<std::uint64_t>::decode(bytes.first(word))->front();
+    if (lists > bytes.size() / word - 1) return {};
+    const auto counts = PlainCodec<std::uint64_t>::decode(bytes.subspan(word, lists * word));
+    const auto members = PlainCodec<Stored>::decode(bytes.subspan((lists + 1) * word));
+    if (!counts || !members) return {};
+    std::vector<List> values(lists);
+    std::size_t next = 0;
+    for (std::size_t v = 0; v < lists; ++v) {
+      if ((*counts)[v] > members->size() - next) return {};
+      for (std::uint64_t i = 0; i < (*counts)[v]; ++i) values[v].push_back(restore((*members)[next++]));
+    }
+    if (next != members->size()) return {};
+    return values;
+  }
+};
+
 template <class T>
 requires(std::is_arithmetic_v<T> && !std::same_as<T, bool>) struct AttributeCodec<T> : PlainCodec<T> {
   static std::string type() {

@@ -1,3 +1,5 @@
+#include "MultiTracker/study/robustness.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -7,7 +9,6 @@
 
 #include "Base/error.h"
 #include "MultiTracker/study/child_process.h"
-#include "MultiTracker/study/robustness.h"
 
 namespace multitracker {
 namespace {

@@ -24,7 +24,7 @@ struct BadCase {
   std::vector<std::string> message_has;  ///< parts of the message
 };
 
-void PrintTo(const BadCase& bad, std::ostream* out);
+void PrintTo(const BadCase& bad, std::ostream* out);  // NOLINT(readability-identifier-naming): GoogleTest's name
 
 /// Runs the program with the case's arguments and an output folder: one line that has the parts, exit 2, no folder.
 void expect_refused(const std::string& program, const BadCase& bad);

@@ -107,10 +107,17 @@ TEST(Interrupted, GoesOnToTheSameBits) {
   for (const std::string& scene :
        std::vector<std::string>{"normal-flow --set step=0.1 --set frame_every=5", "zalesak", "mcf --set cells=12",
                                 "normal-flow --set step=0.1 --mesh " + mesh}) {
-    const std::string whole = scratch / "whole", parts = scratch / "parts", quiet = " --force --quiet --out ";
-    const ProgramResult uninterrupted = run_multitracker("run " + scene + " --steps 15" + quiet + whole);
+    const std::string whole = scratch / "whole", parts = scratch / "parts";
+    const auto run_for = [&scene](const char* steps, const std::string& folder) {
+      std::string command = "run ";
+      for (const std::string& word :
+           {scene, std::string(" --force --quiet --steps "), std::string(steps), std::string(" --out "), folder})
+        command += word;
+      return run_multitracker(command);
+    };
+    const ProgramResult uninterrupted = run_for("15", whole);
     ASSERT_EQ(uninterrupted.exit_code, 0) << uninterrupted.error;
-    ASSERT_EQ(run_multitracker("run " + scene + " --steps 8" + quiet + parts).exit_code, 0);
+    ASSERT_EQ(run_for("8", parts).exit_code, 0);
     const ProgramResult resumed = run_multitracker("run --resume " + parts + " --steps 15 --quiet");
     ASSERT_EQ(resumed.exit_code, 0) << resumed.error;
     for (const char* file : {"/frames/frame_000015.ply", "/volumes.csv", "/events.csv"})

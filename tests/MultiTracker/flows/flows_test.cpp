@@ -77,7 +77,8 @@ TEST(Flows, CurlNoiseHasItsSpeedAndItsSeed) {
   double sum = 0;
   constexpr int n = 20;
   for (int i = 0; i < n * n * n; ++i) {
-    const Vec3 x = 4.0 / n * Vec3(i % n, i / n % n, i / (n * n));
+    const int row = i / n % n, layer = i / (n * n);
+    const Vec3 x = 4.0 / n * Vec3(i % n, row, layer);
     EXPECT_EQ(flow.velocity(x, 0), same.velocity(x, 0));
     sum += flow.velocity(x, 0).squaredNorm() / (n * n * n);
   }

@@ -113,8 +113,9 @@ void pair_sums(benchmark::State& state) {
     benchmark::DoNotOptimize(sums.potential.data());
     benchmark::ClobberMemory();
   }
-  state.counters["interactions"] = benchmark::Counter(
-      static_cast<double>(n * n / 2) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["interactions"] =
+      benchmark::Counter(static_cast<double>(n) * static_cast<double>(n) / 2 * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate);
 }
 
 BENCHMARK(pair_sums)

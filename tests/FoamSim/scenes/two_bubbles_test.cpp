@@ -18,7 +18,6 @@
 namespace foamsim {
 namespace {
 
-using lostopos::air;
 using lostopos::Edge;
 using lostopos::Region;
 using lostopos::SurfaceMesh;

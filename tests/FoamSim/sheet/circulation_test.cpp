@@ -124,7 +124,7 @@ TEST(CirculationMatch, NewVerticesDoNotLookAtEachOther) {
     mesh.add_vertex({i * 3.0, 0, 0});
     mesh.add_vertex({i * 3.0, 1, 0});
     mesh.add_vertex({i * 3.0, 0, 1});
-    const auto first = static_cast<std::size_t>(3 * i);
+    const std::size_t first = 3 * static_cast<std::size_t>(i);
     mesh.add_triangle(Vertex(first), Vertex(first + 1), Vertex(first + 2), k10);
   }
   CirculationField circulation(mesh);

@@ -32,7 +32,8 @@ TEST(DoubleBubble, HasTheReportsTriangleCounts) {
 class DoubleBubbleOf : public testing::TestWithParam<long> {
  protected:
   SurfaceMesh mesh = double_bubble(GetParam());
-  double overlap_angle = pi * static_cast<double>(GetParam() / 8) / static_cast<double>(GetParam());
+  long overlap = GetParam() / 8;  // rings
+  double overlap_angle = pi * static_cast<double>(overlap) / static_cast<double>(GetParam());
 };
 
 TEST_P(DoubleBubbleOf, IsTwoSpheresGluedAlongADisc) {
@@ -66,7 +67,7 @@ TEST_P(DoubleBubbleOf, LabelsSayWhichSideIsWhich) {
   for (Triangle t : mesh.triangles()) {
     const Labels labels = mesh.labels(t);
     const Vec3 centre = lostopos::barycentre(mesh, t), normal = lostopos::area_vector(mesh, t).normalized();
-    const Vec3 out_of_p = normal;  // right-hand normals point out of labels.p
+    const Vec3& out_of_p = normal;  // right-hand normals point out of labels.p
     if (!labels.has(air)) {
       ++wall;
       EXPECT_EQ(std::abs(normal.x()), 1);
@@ -105,7 +106,7 @@ TEST(DoubleBubble, NeedsEightSubdivisions) {
     double_bubble(7);
   } catch (const base::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("n >= 8"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("7"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find('7'), std::string::npos) << error.what();
   }
 }
 

@@ -45,7 +45,7 @@ TEST(ExactDoubleBubble, HasEveryVertexOnItsSpheres) {
   for (lostopos::Triangle t : mesh.triangles()) {
     const auto labels = mesh.labels(t);
     for (lostopos::Vertex v : mesh.vertices(t)) {
-      const lostopos::Vec3 x = mesh.position(v);
+      const lostopos::Vec3& x = mesh.position(v);
       if (labels.has(lostopos::air)) {
         const int side = labels.has(lostopos::Region(2)) ? 1 : 0;
         EXPECT_NEAR((x - lostopos::Vec3(centres[side], 0, 0)).norm(), e.outer[side].radius, 1e-12);

@@ -38,6 +38,7 @@ struct Table1Row {
 
 struct Table1Settings {
   std::vector<long> subdivisions{report_subdivisions.begin(), report_subdivisions.end()};
+  /// `conservative`, which is not the report's, up to N = 48.
   std::vector<std::string> areas{"averaged", "constant-edge", "naive", "conservative"};
   /// Runs that are not at rest by this time end as they are, and the row says so. T.
   double longest_time = 12;

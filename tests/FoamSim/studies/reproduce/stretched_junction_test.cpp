@@ -17,7 +17,6 @@
 namespace foamsim {
 namespace {
 
-using lostopos::Labels;
 using lostopos::Region;
 using lostopos::Vec3;
 using lostopos::Vertex;

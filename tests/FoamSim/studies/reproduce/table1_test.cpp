@@ -15,6 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 class Table1Test : public testing::Test {
+ public:
+  ~Table1Test() override { fs::remove_all(settings.out); }
+
  protected:
   Table1Test() {
     settings.subdivisions = {8, 10};
@@ -31,7 +34,6 @@ class Table1Test : public testing::Test {
     };
     hooks.row = [this](const Table1Row& row) { reported.push_back(row.area); };
   }
-  ~Table1Test() override { fs::remove_all(settings.out); }
 
   Table1Settings settings;
   Table1Hooks hooks;

@@ -32,7 +32,7 @@ IncludeOrder IncludeOrder::read(std::istream& lines) {
         known = true;
         for (std::size_t j = 0; j < order.sees_[i].size(); ++j) sees[j] = sees[j] || order.sees_[i][j];
       }
-      if (!known) throw std::runtime_error(below + " is not above the line: " + line);
+      if (!known) throw std::runtime_error(std::string(below).append(" is not above the line: ").append(line));
     }
     order.places_.push_back(place);
     order.sees_.push_back(std::move(sees));

@@ -15,7 +15,7 @@ std::vector<Table1Row> coarse_rows() {
   settings.subdivisions = {16, 24};
   settings.areas = {"averaged", "constant-edge"};
   settings.out = testing::TempDir() + "foamsim-regression-" + std::to_string(getpid());
-  const auto rows = make_table1(settings);
+  auto rows = make_table1(settings);
   std::filesystem::remove_all(settings.out);
   return rows;
 }

@@ -99,6 +99,7 @@ TEST(SurfaceMesh, IncidenceKeepsTheOrderOfInsertion) {
   SurfaceMesh mesh;
   const Vertex centre = mesh.add_vertex({0, 0, 0});
   std::vector<Vertex> ring;
+  ring.reserve(6);
   for (int i = 0; i < 6; ++i) ring.push_back(mesh.add_vertex({std::cos(i), std::sin(i), 0}));
   std::vector<Triangle> fan;
   for (std::size_t i = 0; i + 1 < ring.size(); ++i)

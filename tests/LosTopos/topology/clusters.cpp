@@ -56,7 +56,10 @@ SurfaceMesh four_columns(const std::array<Region, 4>& regions) {
   for (double z : {0.0, 1.0})
     for (double y : {-1.0, 0.0, 1.0})
       for (double x : {-1.0, 0.0, 1.0}) foam.corners.push_back({{x, y, z}, {}});
-  auto corner = [](int x, int y, int z) { return static_cast<std::size_t>(9 * z + 3 * (y + 1) + x + 1); };
+  auto corner = [](int x, int y, int z) {
+    const int number = 9 * z + 3 * (y + 1) + x + 1;
+    return static_cast<std::size_t>(number);
+  };
   constexpr std::array<std::array<int, 2>, 4> axes = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto [ax, ay] = axes[i];

@@ -49,8 +49,8 @@ class Conservative final : public Dynamics {
   double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
   /// What the first remeshing does to the area of a rough mesh is no motion: energy counts from behind it.
   bool remeshes_start() const override { return true; }
-  /// `safety` of what the stiffest films bear, but no less than half of what regular triangles of the resolution would:
-  /// shorter steps in a few places are left to substeps.
+  /// `safety` of what the stiffest films bear, but no less than √(h̄³/tension)/4, about half of what regular triangles
+  /// at a Plateau border do: shorter steps in a few places are left to substeps.
   double suitable_dt(const EffectStep& step, double tension) override;
   void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) override;
   nlohmann::json state() const override;

@@ -66,7 +66,8 @@ TEST(Studies, RefuseBadInputBeforeTheyWrite) {
   for (const std::string bad :
        {"accuracy --sizes 7", "accuracy --areas averged", "accuracy --integrators rk5", "accuracy --dt 0",
         "accuracy --quick --sizes 8", "stability --cases lnog", "stability --areas none", "stability --remeshing maybe",
-        "stability --steps-scale 0", "stability --case-seconds -1"}) {
+        "stability --steps-scale 0", "stability --case-seconds -1", "stability --set inertai=false",
+        "stability --areas averaged --set inertia=false"}) {
     const ProgramResult result = run_foamsim("study " + bad + " --out " + (scratch / "bad"));
     EXPECT_EQ(result.exit_code, 2) << bad;
     EXPECT_NE(result.error, "") << bad;

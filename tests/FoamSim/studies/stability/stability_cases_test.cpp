@@ -216,8 +216,35 @@ TEST(StabilityStudy, ChecksItsOptions) {
   EXPECT_NO_THROW(validate(Options{}));
   for (const Options& bad :
        {Options{.cases = {"lon"}}, Options{.areas = {"avraged"}}, Options{.areas = {}}, Options{.remeshing = {}},
-        Options{.steps_scale = 0}, Options{.steps_scale = 11}, Options{.most_seconds = 0}})
+        Options{.steps_scale = 0}, Options{.steps_scale = 11}, Options{.assignments = {"inertai=false"}},
+        Options{.assignments = {"inertia=false"}}, Options{.most_seconds = 0}})
     EXPECT_THROW(validate(bad), base::InputError);
+}
+
+// A part that is switched off is off in the motion, and the conservative scheme is held to its own limits.
+TEST(StabilityStudy, SimulatesWithTheOptionsThatAreGiven) {
+  StabilityOptions options{
+      .cases = {"quad-point"}, .areas = {"conservative"}, .remeshing = {false}, .steps_scale = 0.05};
+  const auto whole = study_stability(options);
+  options.assignments = {"effects=surface_tension", "viscosity=0"};
+  const auto apart = study_stability(options);
+  ASSERT_EQ(whole.size() + apart.size(), 2U);
+  EXPECT_LT(whole.front().physics.volume_drift, 1e-12);
+  EXPECT_GT(apart.front().physics.volume_drift, 1e-7);
+}
+
+TEST(StabilityCriteria, HoldTheConservativeSchemeToLess) {
+  Trajectory trajectory;
+  for (const double energy : {1.0, 1.0, 1.005}) {
+    Metrics sample;
+    sample.energy = energy;
+    trajectory.samples.push_back(sample);
+  }
+  trajectory.steps_asked = 2;
+  trajectory.limits = physics_limits("averaged");
+  EXPECT_TRUE(Judgement().require_physics(trajectory).verdict().passed);
+  trajectory.limits = physics_limits("conservative");
+  EXPECT_FALSE(Judgement().require_physics(trajectory).verdict().passed);
 }
 
 TEST(StabilityStudy, HasARowForEveryCombination) {

@@ -52,8 +52,8 @@ int list_cases() {
       100 * limits.energy_rise, 100 * limits.volume_drift, 100 * limits.impulse_drift, 100 * conservative.energy_rise,
       100 * conservative.volume_drift, 100 * conservative.impulse_drift);
   for (const StabilityCase& c : stability_cases())
-    std::printf("%-17s %s\n%-17s holds: %s\n", std::string(c.name).c_str(), std::string(c.summary).c_str(), "",
-                std::string(c.criterion).c_str());
+    std::printf("%-17s %s\n%-17s holds: %s%s\n", std::string(c.name).c_str(), std::string(c.summary).c_str(), "",
+                std::string(c.criterion).c_str(), c.when_named ? " (takes long: only when named)" : "");
   return exit_done;
 }
 
@@ -110,7 +110,7 @@ void add_study_stability(base::Command& study, const Program& program) {
       {.name = "--list", .target = &arguments->list, .help = "name the cases and what has to hold, and run nothing"});
   command.add({.name = "--cases",
                .target = &options.cases,
-               .help = "cases, separated by commas (default: all)",
+               .help = "cases, separated by commas (default: all but those that take long)",
                .names = case_names()});
   add_areas(command, options.areas, *program.catalogue);
   command.add({.name = "--remeshing",

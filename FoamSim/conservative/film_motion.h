@@ -13,8 +13,9 @@ namespace foamsim {
 /// how much energy is in it, and the force that moving the mesh at constant φ would take.
 class FilmMotion {
  public:
-  /// `delta`: δ > 0, L.
-  FilmMotion(double delta, const NearField& near) : delta_(delta), near_(near) {}
+  /// `delta`: δ > 0, L. `precision`: that of the sums over pairs.
+  FilmMotion(double delta, const NearField& near, Precision precision = Precision::doubles)
+      : delta_(delta), near_(near), direct_(precision) {}
 
   /// Evaluates the sums. `phi`: by entry, L²/T; `positions`: by vertex slot. `terms` is `potential` when only fluxes
   /// and the energy are wanted.

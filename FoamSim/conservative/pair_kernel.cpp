@@ -13,64 +13,88 @@ namespace foamsim::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-// Eight lanes at most, and always eight triangles at a time, so that the sum over lanes has one order everywhere.
-using Doubles = hn::CappedTag<double, 8>;
-using Vec = hn::Vec<Doubles>;
-constexpr std::size_t kChunk = 8;
+// So many triangles at a time, whatever lanes the machine has, so that the sum over lanes has one order everywhere.
+template <class Real>
+constexpr std::size_t kChunk = 64 / sizeof(Real);
+template <class Real>
+using Lanes = hn::CappedTag<Real, kChunk<Real>>;
+template <class Real>
+using VecOf = hn::Vec<Lanes<Real>>;
 
-// A triangle's place and strength in every lane, or those of eight triangles.
+// A triangle's place and strength in every lane, or those of several triangles.
+template <class Vec>
 struct Bodies {
   Vec x, y, z, gx, gy, gz;
 };
 
-HWY_INLINE Bodies one(const VortexSources& a, std::size_t t) {
-  const Doubles d;
+template <class Real>
+HWY_INLINE Bodies<VecOf<Real>> one(const PairBodies<Real>& a, std::size_t t) {
+  const Lanes<Real> d;
   return {hn::Set(d, a.x[t]),  hn::Set(d, a.y[t]),  hn::Set(d, a.z[t]),
           hn::Set(d, a.gx[t]), hn::Set(d, a.gy[t]), hn::Set(d, a.gz[t])};
 }
 
-HWY_INLINE Bodies several(const VortexSources& a, std::size_t s) {
-  const Doubles d;
+template <class Real>
+HWY_INLINE Bodies<VecOf<Real>> several(const PairBodies<Real>& a, std::size_t s) {
+  const Lanes<Real> d;
   return {hn::Load(d, &a.x[s]),  hn::Load(d, &a.y[s]),  hn::Load(d, &a.z[s]),
           hn::Load(d, &a.gx[s]), hn::Load(d, &a.gy[s]), hn::Load(d, &a.gz[s])};
 }
 
-HWY_INLINE void add_to(double* place, Vec value) {
-  const Doubles d;
+HWY_INLINE void add_to(double* place, VecOf<double> value) {
+  const Lanes<double> d;
   hn::Store(hn::Add(hn::Load(d, place), value), d, place);
 }
 
+HWY_INLINE void add_to(double* place, VecOf<float> value) {
+  const Lanes<float> d;
+  const hn::CappedTag<double, kChunk<float>> wide;
+  const hn::Rebind<float, decltype(wide)> narrow;
+  HWY_ALIGN float values[kChunk<float>];
+  hn::Store(value, d, values);
+  for (std::size_t i = 0; i < hn::Lanes(d); i += hn::Lanes(wide)) {
+    const auto more = hn::PromoteTo(wide, hn::Load(narrow, values + i));
+    hn::Store(hn::Add(hn::Load(wide, place + i), more), wide, place + i);
+  }
+}
+
 // What the lanes of s collect from a row of triangles t, kept in registers.
+template <class Vec>
 struct Sums {
   Vec px, py, pz, bx, by, bz, ux, uy, uz;
 };
 
 // place += a b
-HWY_INLINE void add_product(double* place, Vec a, Vec b) {
-  const Doubles d;
+template <class Real, class Vec>
+HWY_INLINE void add_product(Real* place, Vec a, Vec b) {
+  const Lanes<Real> d;
   hn::Store(hn::MulAdd(a, b, hn::Load(d, place)), d, place);
 }
 
 // a b − c e + sum
-HWY_INLINE Vec add_cross(Vec sum, Vec a, Vec b, Vec c, Vec e) {
+template <class Vec>
+HWY_INLINE Vec cross_and(Vec sum, Vec a, Vec b, Vec c, Vec e) {
   return hn::NegMulAdd(c, e, hn::MulAdd(a, b, sum));
 }
 
-HWY_INLINE void add_cross(double* place, Vec a, Vec b, Vec c, Vec e) {
-  const Doubles d;
-  hn::Store(add_cross(hn::Load(d, place), a, b, c, e), d, place);
+template <class Real, class Vec>
+HWY_INLINE void add_cross(Real* place, Vec a, Vec b, Vec c, Vec e) {
+  const Lanes<Real> d;
+  hn::Store(cross_and(hn::Load(d, place), a, b, c, e), d, place);
 }
 
 // The pairs of t with the lanes of s: to the lanes' sums, and lane by lane to t's (`own`, kChunk apart; forces with the
 // other sign). Arithmetic is what takes the time (the root and the division hide behind it), and fused it is less.
-template <bool all>
-HWY_INLINE void add_pairs(const Bodies& t, const Bodies& s, Vec delta2, Vec counts, Sums& sums, double* own) {
+template <bool all, class Real, class Vec>
+HWY_INLINE void add_pairs(const Bodies<Vec>& t, const Bodies<Vec>& s, Vec delta2, Vec counts, Sums<Vec>& sums,
+                          Real* own) {
+  constexpr std::size_t chunk = kChunk<Real>;
   const Vec dx = hn::Sub(t.x, s.x), dy = hn::Sub(t.y, s.y), dz = hn::Sub(t.z, s.z);
   const Vec r2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::MulAdd(dz, dz, delta2)));
   const Vec inverse = hn::Div(counts, hn::Sqrt(r2));
   add_product(own, s.gx, inverse);
-  add_product(own + kChunk, s.gy, inverse);
-  add_product(own + 2 * kChunk, s.gz, inverse);
+  add_product(own + chunk, s.gy, inverse);
+  add_product(own + 2 * chunk, s.gz, inverse);
   sums.px = hn::MulAdd(t.gx, inverse, sums.px);
   sums.py = hn::MulAdd(t.gy, inverse, sums.py);
   sums.pz = hn::MulAdd(t.gz, inverse, sums.pz);
@@ -78,23 +102,23 @@ HWY_INLINE void add_pairs(const Bodies& t, const Bodies& s, Vec delta2, Vec coun
     const Vec weight = hn::Mul(hn::Mul(inverse, inverse), inverse);
     const Vec wx = hn::Mul(weight, dx), wy = hn::Mul(weight, dy), wz = hn::Mul(weight, dz);
     const Vec product = hn::MulAdd(t.gx, s.gx, hn::MulAdd(t.gy, s.gy, hn::Mul(t.gz, s.gz)));
-    add_product(own + 3 * kChunk, product, wx);
-    add_product(own + 4 * kChunk, product, wy);
-    add_product(own + 5 * kChunk, product, wz);
+    add_product(own + 3 * chunk, product, wx);
+    add_product(own + 4 * chunk, product, wy);
+    add_product(own + 5 * chunk, product, wz);
     sums.bx = hn::MulAdd(product, wx, sums.bx);
     sums.by = hn::MulAdd(product, wy, sums.by);
     sums.bz = hn::MulAdd(product, wz, sums.bz);
-    add_cross(own + 6 * kChunk, s.gy, wz, s.gz, wy);
-    add_cross(own + 7 * kChunk, s.gz, wx, s.gx, wz);
-    add_cross(own + 8 * kChunk, s.gx, wy, s.gy, wx);
-    sums.ux = add_cross(sums.ux, t.gz, wy, t.gy, wz);
-    sums.uy = add_cross(sums.uy, t.gx, wz, t.gz, wx);
-    sums.uz = add_cross(sums.uz, t.gy, wx, t.gx, wy);
+    add_cross(own + 6 * chunk, s.gy, wz, s.gz, wy);
+    add_cross(own + 7 * chunk, s.gz, wx, s.gx, wz);
+    add_cross(own + 8 * chunk, s.gx, wy, s.gy, wx);
+    sums.ux = cross_and(sums.ux, t.gz, wy, t.gy, wz);
+    sums.uy = cross_and(sums.uy, t.gx, wz, t.gz, wx);
+    sums.uz = cross_and(sums.uz, t.gy, wx, t.gx, wy);
   }
 }
 
-template <bool all>
-HWY_INLINE void add_sums(const Sums& sums, double* out, std::size_t stride) {
+template <bool all, class Vec>
+HWY_INLINE void add_sums(const Sums<Vec>& sums, double* out, std::size_t stride) {
   add_to(out, sums.px);
   add_to(out + stride, sums.py);
   add_to(out + 2 * stride, sums.pz);
@@ -108,47 +132,68 @@ HWY_INLINE void add_sums(const Sums& sums, double* out, std::size_t stride) {
   }
 }
 
-// 1 in the lanes from s on whose triangle is behind t, else 0.
-HWY_INLINE Vec behind(std::size_t s, std::size_t t) {
-  const Doubles d;
-  const Vec index = hn::Add(hn::Set(d, static_cast<double>(s)), hn::Iota(d, 0.0));
-  return hn::IfThenElseZero(hn::Gt(index, hn::Set(d, static_cast<double>(t))), hn::Set(d, 1.0));
+HWY_INLINE double sum_of_lanes(const double* v) {
+  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
-template <bool all>
-void add_row(const VortexSources& sources, std::size_t row, double delta_squared, double* out, std::size_t stride) {
-  const Doubles d;
+HWY_INLINE double sum_of_lanes(const float* v) {
+  double sums[8];
+  for (std::size_t i = 0; i < 8; ++i) sums[i] = static_cast<double>(v[i]) + static_cast<double>(v[i + 8]);
+  return sum_of_lanes(sums);
+}
+
+// 1 in the lanes from s on whose triangle is behind t, else 0.
+template <class Real>
+HWY_INLINE VecOf<Real> behind(std::size_t s, std::size_t t) {
+  const Lanes<Real> d;
+  const auto index = hn::Add(hn::Set(d, static_cast<Real>(s % pair_row)), hn::Iota(d, Real{0}));
+  return hn::IfThenElseZero(hn::Gt(index, hn::Set(d, static_cast<Real>(t % pair_row))), hn::Set(d, Real{1}));
+}
+
+template <bool all, class Real>
+void add_row(const PairBodies<Real>& bodies, std::size_t row, double delta_squared, double* out, std::size_t stride) {
+  const Lanes<Real> d;
   constexpr std::size_t components = all ? all_components : potential_components;
-  constexpr std::size_t size = components * kChunk;
-  HWY_ALIGN double own[pair_row * size] = {};
-  const Vec delta2 = hn::Set(d, delta_squared), whole = hn::Set(d, 1.0), none = hn::Zero(d);
+  constexpr std::size_t size = components * kChunk<Real>;
+  HWY_ALIGN Real own[pair_row * size] = {};
+  const auto delta2 = hn::Set(d, static_cast<Real>(delta_squared)), whole = hn::Set(d, Real{1}), none = hn::Zero(d);
   const std::size_t first = row * pair_row;
   for (std::size_t s = first; s < stride; s += hn::Lanes(d)) {
-    const Bodies lanes = several(sources, s);
-    Sums sums{none, none, none, none, none, none, none, none, none};
-    double* at = own + s % kChunk;
+    const auto lanes = several(bodies, s);
+    Sums<VecOf<Real>> sums{none, none, none, none, none, none, none, none, none};
+    Real* at = own + s % kChunk<Real>;
     if (s < first + pair_row)
       for (std::size_t t = first; t < s + hn::Lanes(d); ++t)
-        add_pairs<all>(one(sources, t), lanes, delta2, behind(s, t), sums, at + (t - first) * size);
+        add_pairs<all>(one(bodies, t), lanes, delta2, behind<Real>(s, t), sums, at + (t - first) * size);
     else
       for (std::size_t t = first; t < first + pair_row; ++t)
-        add_pairs<all>(one(sources, t), lanes, delta2, whole, sums, at + (t - first) * size);
+        add_pairs<all>(one(bodies, t), lanes, delta2, whole, sums, at + (t - first) * size);
     add_sums<all>(sums, out + s, stride);
   }
   for (std::size_t t = 0; t < pair_row; ++t)
     for (std::size_t c = 0; c < components; ++c) {
-      const double* v = own + t * size + c * kChunk;
-      const double sum = ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+      const double sum = sum_of_lanes(own + t * size + c * kChunk<Real>);
       out[c * stride + first + t] += c / 3 == 1 ? -sum : sum;
     }
 }
 
-void add(const VortexSources& sources, std::size_t row, double delta_squared, bool all, double* out,
+template <class Real>
+void add(const PairBodies<Real>& bodies, std::size_t row, double delta_squared, bool all, double* out,
          std::size_t stride) {
   if (all)
-    add_row<true>(sources, row, delta_squared, out, stride);
+    add_row<true>(bodies, row, delta_squared, out, stride);
   else
-    add_row<false>(sources, row, delta_squared, out, stride);
+    add_row<false>(bodies, row, delta_squared, out, stride);
+}
+
+void add_doubles(const PairBodies<double>& bodies, std::size_t row, double delta_squared, bool all, double* out,
+                 std::size_t stride) {
+  add(bodies, row, delta_squared, all, out, stride);
+}
+
+void add_singles(const PairBodies<float>& bodies, std::size_t row, double delta_squared, bool all, double* out,
+                 std::size_t stride) {
+  add(bodies, row, delta_squared, all, out, stride);
 }
 
 }  // namespace
@@ -158,11 +203,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace foamsim {
 
-HWY_EXPORT(add);
+HWY_EXPORT(add_doubles);
+HWY_EXPORT(add_singles);
 
-void add_pair_row(const VortexSources& sources, std::size_t row, double delta_squared, bool all, double* out,
+void add_pair_row(const PairBodies<double>& bodies, std::size_t row, double delta_squared, bool all, double* out,
                   std::size_t stride) {
-  HWY_DYNAMIC_DISPATCH(add)(sources, row, delta_squared, all, out, stride);
+  HWY_DYNAMIC_DISPATCH(add_doubles)(bodies, row, delta_squared, all, out, stride);
+}
+
+void add_pair_row(const PairBodies<float>& bodies, std::size_t row, double delta_squared, bool all, double* out,
+                  std::size_t stride) {
+  HWY_DYNAMIC_DISPATCH(add_singles)(bodies, row, delta_squared, all, out, stride);
 }
 
 }  // namespace foamsim

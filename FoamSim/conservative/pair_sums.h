@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "FoamSim/conservative/pair_kernel.h"
 #include "FoamSim/sheet/velocity/vortex_sources.h"
 #include "LosTopos/vec3.h"
 
@@ -21,6 +22,14 @@ struct PairSums {
   std::vector<lostopos::Vec3> velocity;   ///< u; empty unless asked for
 };
 
+/// What pairs are added up in.
+enum class Precision {
+  doubles,
+  singles,   ///< in half of the time; relative errors of about 1e-6, and the sums are as symmetric as before
+  automatic  ///< singles from `many_triangles` on, where the error of any mesh is hundreds of times larger
+};
+inline constexpr std::size_t many_triangles = 4096;
+
 enum class PairTerms {
   potential,  ///< Ψ alone
   all         ///< Ψ, B and u
@@ -33,13 +42,22 @@ enum class PairTerms {
 /// multiplication (AVX2, AVX-512, NEON).
 class DirectPairSums {
  public:
+  explicit DirectPairSums(Precision precision = Precision::doubles) : precision_(precision) {}
+
   /// @param sources barycentres (L) and strengths γ (L³/T); distances from 1e-90 to 1e90, or zero.
   /// @param delta   δ > 0 (L).
   /// @throws base::InputError when delta is not a finite length > 0.
   void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums);
 
  private:
-  std::vector<VortexSources::Array> parts_;  // of every group: one array a component, one after the other
+  // Works out sums of the padded bodies into parts_.
+  template <class Real>
+  void add_up(const PairBodies<Real>& bodies, double delta_squared, PairTerms terms);
+
+  Precision precision_;
+  PairBodies<double> doubles_;
+  PairBodies<float> singles_;
+  std::vector<PairBodies<double>::Array> parts_;  // of every group: one array a component, one after the other
 };
 
 }  // namespace foamsim

@@ -29,6 +29,7 @@ struct ConservativeOptions {
   double viscosity = 0;         ///< η, surface viscosity over air density, L³/T
   double safety = 0.75;         ///< share of the longest stable step that is used
   double largest_strain = 0.4;  ///< change of an edge in a substep, as a share of its length
+  Precision precision = Precision::automatic;
   long most_substeps = 16;      ///< a step is made in as many as these two ask for
   bool correction = true;       ///< what is left of energy and impulse lost or won is given back; with kick_drift
 };

@@ -20,6 +20,9 @@ constexpr std::array steppings{Named<Stepping>{"kick-drift", Stepping::kick_drif
                                Named<Stepping>{"midpoint", Stepping::midpoint}, Named<Stepping>{"rk4", Stepping::rk4}};
 constexpr std::array tangentials{Named<Tangential>{"none", Tangential::none}, Named<Tangential>{"air", Tangential::air},
                                  Named<Tangential>{"smoothed", Tangential::smoothed}};
+constexpr std::array precisions{Named<Precision>{"auto", Precision::automatic},
+                                Named<Precision>{"double", Precision::doubles},
+                                Named<Precision>{"single", Precision::singles}};
 
 template <class Choice, std::size_t n>
 std::vector<std::string> names_of(const std::array<Named<Choice>, n>& choices) {
@@ -53,6 +56,10 @@ std::vector<base::OptionSpec> conservative_options() {
       base::flag("inertia", true, "the force that keeps kinetic energy while the mesh moves"),
       base::word_from("tangential", std::string("smoothed"), "how the mesh goes along the films", "tangential motion",
                       names_of(tangentials)),
+      base::word_from(
+          "precision", std::string("auto"),
+          "of the sums over pairs of triangles; auto: single from " + std::to_string(many_triangles) + " triangles on",
+          "precision", names_of(precisions)),
       base::flag("correction", true, "what energy and impulse are still lost or won is given back"),
       base::flag("conserving_transfers", true, "remeshing keeps the integral of circulation over films")};
 }
@@ -64,6 +71,7 @@ Made make_conservative(const DynamicsSetup& setup) {
   own.near_field = options.flag("near_field");
   own.inertia = options.flag("inertia");
   own.tangential = choice_of(tangentials, options.word("tangential"));
+  own.precision = choice_of(precisions, options.word("precision"));
   own.conserving_transfers = options.flag("conserving_transfers");
   own.correction = options.flag("correction");
   own.viscosity = options.number("viscosity");

@@ -10,7 +10,7 @@ std::span<const StabilityCase> stability_cases() {
   static const std::array cases{
       long_double_bubble(),   volume_ratio(),     stretched_border(), border_slivers(),   time_steps(),
       displaced_quad_point(), meeting_off_axis(), t1_threshold(),     shrinking_bubble(), scaled_lengths(),
-      moved_origin(),         vertex_noise(),     random_foam(),
+      moved_origin(),         vertex_noise(),     random_foam(),      fine_foam(),        large_foam(),
   };
   return cases;
 }

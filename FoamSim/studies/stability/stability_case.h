@@ -36,8 +36,9 @@ struct StabilityCase {
   Strategies strategies = Strategies::all;
   Remeshing remeshing = Remeshing::on_and_off;
   long typical_triangles = 1000;  ///< for guesses of the time left
-  std::vector<CaseRun> (*runs)(const CaseSetup&);
-  Verdict (*judge)(std::span<const Trajectory>);  ///< of the runs, in their order
+  bool when_named = false;        ///< takes so long that a study of all cases leaves it out
+  std::vector<CaseRun> (*runs)(const CaseSetup&) = nullptr;
+  Verdict (*judge)(std::span<const Trajectory>) = nullptr;  ///< of the runs, in their order
 };
 
 /// All cases. A new one is a file in cases/ and a line in the table.

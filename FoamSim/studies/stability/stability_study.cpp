@@ -40,7 +40,8 @@ double weight_of(const StabilityCase& what, const CaseSetup& setup) {
 std::vector<Combination> combinations(const StabilityOptions& o) {
   std::vector<Combination> all;
   for (const StabilityCase& what : stability_cases()) {
-    if (!o.cases.empty() && std::ranges::find(o.cases, what.name) == o.cases.end()) continue;
+    const bool named = std::ranges::find(o.cases, what.name) != o.cases.end();
+    if (!named && (!o.cases.empty() || what.when_named)) continue;
     for (const std::string& area : areas_for(what, o))
       for (bool remeshing : o.remeshing) {
         if (!remeshing && what.remeshing == Remeshing::on_only) continue;

@@ -69,6 +69,7 @@ const std::vector<Change>& changes() {
       {"near_field", "doublebubble --set dynamics=conservative", "near_field=false"},
       {"inertia", "doublebubble --set dynamics=conservative", "inertia=false"},
       {"tangential", "doublebubble --set dynamics=conservative", "tangential=none"},
+      {"precision", "doublebubble --set dynamics=conservative", "precision=single"},
       {"correction", "doublebubble --set dynamics=conservative", "correction=false"},
       {"most_substeps", "doublebubble --set dynamics=conservative --set dt=0.04", "most_substeps=1"},
       {"safety", "doublebubble --set dynamics=conservative --set dt=0.04", "safety=0.2"},

@@ -17,5 +17,7 @@ StabilityCase scaled_lengths();
 StabilityCase moved_origin();
 StabilityCase vertex_noise();
 StabilityCase random_foam();
+StabilityCase fine_foam();
+StabilityCase large_foam();
 
 }  // namespace foamsim::stability

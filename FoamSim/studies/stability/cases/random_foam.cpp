@@ -9,17 +9,16 @@
 namespace foamsim::stability {
 namespace {
 
-constexpr long cells = 30;
-
 // A cube of bubbles that have the volume of a ball of radius 1 each.
-lostopos::SurfaceMesh foam() {
-  lostopos::SurfaceMesh mesh = lostopos::voronoi_foam({.cells = cells, .seed = 1, .subdivisions = 1});
+lostopos::SurfaceMesh foam(long cells, long subdivisions) {
+  lostopos::SurfaceMesh mesh = lostopos::voronoi_foam({.cells = cells, .seed = 1, .subdivisions = subdivisions});
   transform(mesh, std::cbrt(4 * std::numbers::pi / 3 * cells), lostopos::Vec3::Zero());
   return mesh;
 }
 
+template <long cells, long subdivisions, long steps>
 std::vector<CaseRun> runs(const CaseSetup& setup) {
-  return {{"", [setup] { return simulated(setup, foam()); }, scaled_steps(2000, setup)}};
+  return {{"", [setup] { return simulated(setup, foam(cells, subdivisions)); }, scaled_steps(steps, setup)}};
 }
 
 Verdict judge(std::span<const Trajectory> t) {
@@ -30,17 +29,36 @@ Verdict judge(std::span<const Trajectory> t) {
       .verdict();
 }
 
-}  // namespace
-
-StabilityCase random_foam() {
-  return {.name = "foam",
-          .summary = "a random foam of 30 bubbles of radius 1 for 2,000 steps",
+StabilityCase foam_case(std::string_view name, std::string_view summary, long triangles) {
+  return {.name = name,
+          .summary = summary,
           .criterion = "energy, volumes and impulse within the limits of physics",
           .strategies = Strategies::averaging,
           .remeshing = Remeshing::on_only,
-          .typical_triangles = 4000,
-          .runs = runs,
+          .typical_triangles = triangles,
           .judge = judge};
+}
+
+}  // namespace
+
+StabilityCase random_foam() {
+  StabilityCase foam = foam_case("foam", "a random foam of 30 bubbles of radius 1 for 2,000 steps", 4000);
+  foam.runs = runs<30, 1, 2000>;
+  return foam;
+}
+
+StabilityCase fine_foam() {
+  StabilityCase foam = foam_case("fine-foam", "the same with triangles of half the size", 14000);
+  foam.runs = runs<30, 2, 2000>;
+  foam.when_named = true;
+  return foam;
+}
+
+StabilityCase large_foam() {
+  StabilityCase foam = foam_case("large-foam", "a random foam of 100 bubbles of radius 1 for 500 steps", 45000);
+  foam.runs = runs<100, 2, 500>;
+  foam.when_named = true;
+  return foam;
 }
 
 }  // namespace foamsim::stability

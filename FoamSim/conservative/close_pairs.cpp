@@ -22,7 +22,7 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-constexpr std::size_t grain = 256;
+constexpr std::size_t grain = 32;
 
 Cube cube_of(const Vec3& x, const Vec3& origin, double size) {
   Cube cube;
@@ -33,31 +33,52 @@ Cube cube_of(const Vec3& x, const Vec3& origin, double size) {
   return cube;
 }
 
+// Points sorted by cubes as wide as the distance: those close to one lie in its own and the 26 around it.
 class Cubes {
  public:
-  Cubes(std::span<const Vec3> points, double size) : points_(points), size_(size), places_(points.size()) {
+  Cubes(std::span<const Vec3> points, double size) : square_(size * size), places_(points.size()), x_(points.size()) {
     for (std::size_t i = 0; i < points.size(); ++i)
       places_[i] = {cube_of(points[i], points[0], size), static_cast<std::uint32_t>(i)};
     std::ranges::sort(places_);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      x_[i] = points[places_[i].point];
+      if (i == 0 || places_[i].cube != places_[i - 1].cube) first_.push_back(i);
+    }
+    first_.push_back(places_.size());
   }
 
-  // Calls what(j) for every point j close to point i.
+  std::size_t count() const { return first_.size() - 1; }
+
+  // Calls what(i, j) for every point i in cube c and every j close to it.
   template <class What>
-  void for_each_close(std::size_t i, What what) const {
-    const Cube cube = cube_of(points_[i], points_[0], size_);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        // The three cubes along z follow each other.
-        const Cube first{cube[0] + dx, cube[1] + dy, cube[2] - 1}, last{cube[0] + dx, cube[1] + dy, cube[2] + 1};
-        for (auto p = std::ranges::lower_bound(places_, Place{first, 0}); p != places_.end() && p->cube <= last; ++p)
-          if ((points_[p->point] - points_[i]).squaredNorm() <= size_ * size_) what(p->point);
-      }
+  void for_each_close(std::size_t c, What what) const {
+    const auto around = ranges_around(places_[first_[c]].cube);
+    for (std::size_t i = first_[c]; i < first_[c + 1]; ++i)
+      for (const auto& [begin, end] : around)
+        for (std::size_t j = begin; j < end; ++j)
+          if ((x_[j] - x_[i]).squaredNorm() <= square_) what(places_[i].point, places_[j].point);
   }
 
  private:
-  std::span<const Vec3> points_;
-  double size_;
+  // The three cubes along z follow each other.
+  std::array<std::pair<std::size_t, std::size_t>, 9> ranges_around(const Cube& cube) const {
+    std::array<std::pair<std::size_t, std::size_t>, 9> ranges;
+    std::size_t n = 0;
+    for (std::int64_t dx = -1; dx <= 1; ++dx)
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const Cube first{cube[0] + dx, cube[1] + dy, cube[2] - 1}, behind{cube[0] + dx, cube[1] + dy, cube[2] + 2};
+        const auto begin = std::ranges::lower_bound(places_, Place{first, 0});
+        auto end = begin;
+        while (end != places_.end() && end->cube < behind) ++end;
+        ranges[n++] = {begin - places_.begin(), end - places_.begin()};
+      }
+    return ranges;
+  }
+
+  double square_;
   std::vector<Place> places_;
+  std::vector<Vec3> x_;             // of the places
+  std::vector<std::size_t> first_;  // places of each cube that has any, and their end
 };
 
 }  // namespace
@@ -70,16 +91,19 @@ ClosePairs close_pairs(std::span<const Vec3> points, double distance, std::size_
   for (int halvings = 0; halvings <= most_halvings; ++halvings, distance /= 2) {
     const Cubes cubes(points, distance);
     std::vector<std::uint32_t> counts(points.size(), 0);
-    base::parallel_for_each(points.size(), grain,
-                            [&](std::size_t i) { cubes.for_each_close(i, [&](std::uint32_t) { ++counts[i]; }); });
+    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) {
+      cubes.for_each_close(c, [&](std::uint32_t i, std::uint32_t) { ++counts[i]; });
+    });
     const std::size_t total = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
     if (total > most * points.size() && halvings < most_halvings) continue;
     for (std::size_t i = 0; i < points.size(); ++i) pairs.first[i + 1] = pairs.first[i] + counts[i];
     pairs.other.resize(total);
+    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) {
+      cubes.for_each_close(
+          c, [&](std::uint32_t i, std::uint32_t j) { pairs.other[pairs.first[i + 1] - counts[i]--] = j; });
+    });
     base::parallel_for_each(points.size(), grain, [&](std::size_t i) {
-      auto to = pairs.other.begin() + pairs.first[i];
-      cubes.for_each_close(i, [&](std::uint32_t j) { *to++ = j; });
-      std::sort(pairs.other.begin() + pairs.first[i], to);
+      std::sort(pairs.other.begin() + pairs.first[i], pairs.other.begin() + pairs.first[i + 1]);
     });
     break;
   }

@@ -211,12 +211,15 @@ TEST(AuditReportTest, NamesElementsAndStopsAtTheLimit) {
   EXPECT_NE(report.text().find("left out"), std::string::npos);
 }
 
-TEST(AuditIntersection, AgreesWithAllPairsOnACrumpledSphere) {
+class CrumpledSphere : public testing::TestWithParam<Vec3> {};
+
+TEST_P(CrumpledSphere, CrossesItselfWhereAllPairsSay) {
   SurfaceMesh mesh = test::globe(1, 10);
   // Deterministic crumpling strong enough to make some parts cross.
   for (Vertex v : mesh.vertices()) {
     const auto i = static_cast<double>(v.index());
     mesh.set_position(v, mesh.position(v) + 0.35 * Vec3(std::sin(7 * i), std::sin(11 * i), std::sin(13 * i)));
+    mesh.set_position(v, mesh.position(v).cwiseProduct(GetParam()));
   }
   std::size_t crossings = 0;
   for (Triangle t : mesh.triangles())
@@ -230,7 +233,12 @@ TEST(AuditIntersection, AgreesWithAllPairsOnACrumpledSphere) {
     }
   ASSERT_GT(crossings, 10U);
   EXPECT_EQ(edge_triangle_contacts(mesh, 100000).size(), crossings);
+  EXPECT_EQ(edge_triangle_contacts(mesh, 5).size(), 5U);
 }
+
+INSTANTIATE_TEST_SUITE_P(Shapes, CrumpledSphere,
+                         testing::Values(Vec3(1, 1, 1), Vec3(100, 1, 1), Vec3(1, 30, 0.1), Vec3(1, 30, 100),
+                                         Vec3(1e-200, 1e-200, 1e-200)));
 
 }  // namespace
 }  // namespace lostopos

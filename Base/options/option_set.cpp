@@ -42,6 +42,18 @@ std::optional<OptionValue> named_number(const OptionSpec& spec, const OptionValu
   return number == nullptr ? std::nullopt : std::optional<OptionValue>(*number);
 }
 
+// "scene 'a'", "scenes 'a', 'b'": what has an option of this key; empty: nothing.
+std::string owners_among(const std::vector<OptionSpec>& specs, std::string_view key) {
+  std::string kind, names;
+  int count = 0;
+  for (const OptionSpec& spec : specs) {
+    if (spec.key != key) continue;
+    kind = spec.owner.kind;
+    names += (count++ == 0 ? " '" : ", '") + spec.owner.name + "'";
+  }
+  return kind + (count > 1 ? "s" : "") + names;
+}
+
 }  // namespace
 
 OptionSet::OptionSet(std::vector<OptionSpec> specs, std::string listed_by, std::vector<OptionSpec> elsewhere)
@@ -52,9 +64,9 @@ OptionSet::OptionSet(std::vector<OptionSpec> specs, std::string listed_by, std::
 std::size_t OptionSet::place_of(std::string_view key, std::string_view where) const {
   const auto it = std::ranges::find(specs_, key, &OptionSpec::key);
   if (it != specs_.end()) return static_cast<std::size_t>(it - specs_.begin());
-  if (const auto other = std::ranges::find(elsewhere_, key, &OptionSpec::key); other != elsewhere_.end())
-    throw InputError(prefix(where) + "option '" + std::string(key) + "' belongs to the " + other->owner.kind + " '" +
-                     other->owner.name + "'; it has no meaning here");
+  if (const std::string owners = owners_among(elsewhere_, key); !owners.empty())
+    throw InputError(prefix(where) + "option '" + std::string(key) + "' belongs to the " + owners +
+                     "; it has no meaning here");
   std::vector<std::string_view> known;
   for (const OptionSpec& spec : specs_) known.push_back(spec.key);
   throw InputError(prefix(where) + unknown_name_message("option", key, known, listed_by_));

@@ -40,7 +40,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"dt_word", "run sphere --set dt=fast", {"dt", "'fast' is not a number"}},
         BadCase{"not_an_assignment", "run sphere --set dt", {"key=value"}},
         BadCase{"option_of_an_absent_effect", "run sphere --set damping=0.5", {"damping", "effects+=damping"}},
-        BadCase{"option_of_another_scene", "run doublebubble --set mode=3", {"mode", "scene 'sphere'"}},
+        BadCase{"option_of_another_scene", "run doublebubble --set mode=3", {"mode", "scene 'mode'"}},
+        BadCase{"option_of_flying_bubbles", "run twobubbles --set gap=0.3", {"gap", "scene 'headon'"}},
+        BadCase{"option_of_frames",
+                "run quadjunction --set displacement=0.1",
+                {"displacement", "scenes 'triplejunction-frame', 'quadjunction-frame'"}},
         BadCase{"option_of_another_strategy", "run doublebubble --set phi=0.9", {"phi", "'constant-edge'"}},
         BadCase{"bounds_that_contradict", "run doublebubble --set remeshing.shortest_edge=0.9", {"shortest_edge"}},
         BadCase{"negative_steps", "run sphere --steps -3", {"--steps"}},
@@ -170,7 +174,7 @@ TEST(BadOutput, AFullDiskLaterKeepsWholeRowsAndFrames) {
   const ScratchFolder scratch;
   // Frames of this sphere are small; the table of metrics outgrows 16 KiB after some dozen steps.
   const ProgramResult result =
-      run_foamsim("run sphere --set n=1 --steps 2000 --set frame_every=10 --out " + (scratch / "run"), "ulimit -f 16;");
+      run_foamsim("run mode --set n=1 --steps 2000 --set frame_every=10 --out " + (scratch / "run"), "ulimit -f 16;");
   expect_refused(result, "metrics.csv");
   const std::string table = read_file(scratch / "run/metrics.csv");
   ASSERT_FALSE(table.empty());

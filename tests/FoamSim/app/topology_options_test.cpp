@@ -48,7 +48,7 @@ std::string repeatable(const std::string& metrics_file) {
   return text;
 }
 
-const std::string growing = "foaminit --set layout=random --set spheres=4 --set growth=2 --set frame_every=0";
+const std::string growing = "growth --set layout=random --set spheres=4 --set growth=2 --set frame_every=0";
 
 void run(const std::string& scene, const std::string& folder) {
   const ProgramResult result = run_foamsim("run " + scene + " --quiet --out " + folder);
@@ -123,13 +123,13 @@ void expect_same_bits_when_resumed(const std::string& scene, long early, long la
 
 TEST(InterruptedRun, WithTopologyCanBeResumedToTheSameBits) {
   expect_same_bits_when_resumed(growing, 9, 13);
-  expect_same_bits_when_resumed("twobubbles --set n=2 --set gap=0.04", 85, 110);
+  expect_same_bits_when_resumed("headon --set n=2 --set gap=0.04", 85, 110);
 }
 
 TEST(InterruptedRun, KeepsTheFrameThatHoldsItsFilms) {
   const ScratchFolder scratch;
-  run("quadjunction --set n=2 --steps 20", scratch / "whole");
-  run("quadjunction --set n=2 --steps 8", scratch / "parts");
+  run("quadjunction-frame --set n=2 --steps 20", scratch / "whole");
+  run("quadjunction-frame --set n=2 --steps 8", scratch / "parts");
   ASSERT_EQ(run_foamsim("run --resume " + (scratch / "parts/checkpoint.cbor") + " --steps 20").exit_code, 0);
   EXPECT_EQ(read_file(scratch / "parts/frames/frame_000020.ply"), read_file(scratch / "whole/frames/frame_000020.ply"));
 }

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 // Two bubbles of different regions, 0.005 apart.
 void write_near_bubbles(const ScratchFolder& scratch) {
-  ASSERT_EQ(run_foamsim("run sphere --set n=2 --set mode=2 --set amplitude=-0.15 --steps 0 --out " + (scratch / "one"))
+  ASSERT_EQ(run_foamsim("run mode --set n=2 --set mode=2 --set amplitude=-0.15 --steps 0 --out " + (scratch / "one"))
                 .exit_code,
             0);
   ASSERT_EQ(run_foamsim("convert " + (scratch / "one/frames/frame_000000.ply") + " " + (scratch / "one.obj")).exit_code,

@@ -210,7 +210,7 @@ TEST(ConservativeRest, PlateauVertexFindsTheTetrahedralAngleOnAnUnevenMesh) {
   for (const char* remeshing : {"true", "false"}) {
     Assignments assignments = soon_at_rest;
     assignments.insert(assignments.end(), {"n=3", "displacement=0.15", std::string("remeshing.enabled=") + remeshing});
-    Simulation simulation = make_simulation(conservative("quadjunction", assignments));
+    Simulation simulation = make_simulation(conservative("quadjunction-frame", assignments));
     run_until(simulation, 6);
     double worst = 0;
     for (const double angle : border_angles(simulation)) worst = std::max(worst, std::abs(angle - 109.4712206));
@@ -305,7 +305,7 @@ Eigen::VectorXcd spectrum(const Simulation& simulation) {
 TEST(ConservativeMotion, HasNoGrowingModeAboutRest) {
   Assignments assignments = soon_at_rest;
   assignments.insert(assignments.end(), {"n=2", "displacement=0.2"});
-  Simulation simulation = make_simulation(conservative("quadjunction", assignments));
+  Simulation simulation = make_simulation(conservative("quadjunction-frame", assignments));
   run_until(simulation, 12);
   double fastest = 0, growth = 0;
   for (const std::complex<double>& value : spectrum(simulation)) {

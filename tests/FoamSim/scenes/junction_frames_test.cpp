@@ -82,7 +82,7 @@ Rest brought_to_rest(const char* name, long n, double displacement, const std::s
 }
 
 TEST(TripleJunctionScene, ComesToRestAt120Degrees) {
-  const Rest rest = brought_to_rest("triplejunction", 2, 0.2);
+  const Rest rest = brought_to_rest("triplejunction-frame", 2, 0.2);
   const SurfaceMesh& mesh = rest.simulation.mesh();
   EXPECT_LT(*junction_angles(mesh).rms_deviation_deg, 1);
   EXPECT_NEAR(lostopos::total_area(mesh) / 3, 1, 2e-4);
@@ -120,7 +120,7 @@ void print(const PlateauVertex& vertex, long n, double resolution) {
 }
 
 TEST(QuadJunctionScene, ComesToRestAtTheTetrahedralAngle) {
-  const Rest rest = brought_to_rest("quadjunction", 4, 0.2);
+  const Rest rest = brought_to_rest("quadjunction-frame", 4, 0.2);
   EXPECT_LT(*junction_angles(rest.simulation.mesh()).rms_deviation_deg, 0.2);
   EXPECT_NEAR(lostopos::total_area(rest.simulation.mesh()) / flat_quad_area, 1, 1e-5);
   const PlateauVertex vertex = plateau_vertex(rest.simulation.mesh());
@@ -131,7 +131,7 @@ TEST(QuadJunctionScene, ComesToRestAtTheTetrahedralAngle) {
 // What one area for all regions cannot do: balance borders whose first edges differ in length.
 TEST(QuadJunctionScene, SharingByBorderLengthRestsAtTheTetrahedralAngleWhereBordersAreUneven) {
   for (long n : {2L, 3L}) {
-    const Rest rest = brought_to_rest("quadjunction", n, 0.1, "border-length");
+    const Rest rest = brought_to_rest("quadjunction-frame", n, 0.1, "border-length");
     const PlateauVertex vertex = plateau_vertex(rest.simulation.mesh());
     print(vertex, n, rest.simulation.resolution());
     EXPECT_LT(vertex.position.norm(), 1e-3 * rest.simulation.resolution());
@@ -143,7 +143,7 @@ TEST(QuadJunctionScene, SharingByBorderLengthRestsAtTheTetrahedralAngleWhereBord
 // Where the four borders' first edges differ in length the vertex rests off the middle, by less than a third of h̄.
 TEST(QuadJunctionScene, RestsWithinAThirdOfAnEdgeWhereBordersAreUneven) {
   for (long n : {2L, 3L}) {
-    const Rest rest = brought_to_rest("quadjunction", n, 0.1);
+    const Rest rest = brought_to_rest("quadjunction-frame", n, 0.1);
     const PlateauVertex vertex = plateau_vertex(rest.simulation.mesh());
     print(vertex, n, rest.simulation.resolution());
     EXPECT_LT(vertex.position.norm(), rest.simulation.resolution() / 3);

@@ -25,7 +25,7 @@ using lostopos::Triangle;
 using lostopos::Vec3;
 using lostopos::Vertex;
 
-TEST(TwoBubbles, AreMirrorImagesAtTheAskedDistance) {
+TEST(HeadonBubbles, AreMirrorImagesAtTheAskedDistance) {
   const SurfaceMesh mesh = two_bubbles(2, 0.3);
   EXPECT_EQ(mesh.triangle_count(), 640U);
   double left = -10, right = 10;
@@ -62,7 +62,7 @@ struct FirstStep {
 
 // Far apart and without tension.
 FirstStep first_step_of_flight(long n) {
-  Scene scene = built_in_scene("twobubbles");
+  Scene scene = built_in_scene("headon");
   for (auto [key, value] : {std::pair{"gap", 6.0}, {"speed", 0.5}, {"sigma", 0.0}, {"diffusion", 0.0}})
     scene.options.set(key, value, "test");
   scene.options.set("n", n, "test");
@@ -77,7 +77,7 @@ FirstStep first_step_of_flight(long n) {
 }
 
 // They keep the speed that they are given, but for the regularisation's error of first order in h̄.
-TEST(TwoBubbles, FlyTowardsEachOtherAtTheAskedSpeed) {
+TEST(HeadonBubbles, FlyTowardsEachOtherAtTheAskedSpeed) {
   const FirstStep coarse = first_step_of_flight(2), fine = first_step_of_flight(3);
   EXPECT_NEAR(fine.speed, 1, 0.2);
   EXPECT_NEAR((1 - fine.speed) / (1 - coarse.speed), 0.5, 0.12);
@@ -119,8 +119,8 @@ std::size_t length_of_single_cycle(const SurfaceMesh& mesh) {
   return walked == edges ? edges : 0;
 }
 
-TEST(TwoBubblesScene, MeetAndBecomeAStandardDoubleBubble) {
-  Scene scene = built_in_scene("twobubbles");
+TEST(HeadonScene, MeetAndBecomeAStandardDoubleBubble) {
+  Scene scene = built_in_scene("headon");
   scene.options.set("n", 3L, "test");
   scene.options.append("effects", "damping", "test");
   scene.options.set("damping", 0.2, "test");
@@ -153,7 +153,7 @@ TEST(TwoBubblesScene, MeetAndBecomeAStandardDoubleBubble) {
 
 std::vector<std::uint64_t> bits_of_meeting(std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  Scene scene = built_in_scene("twobubbles");
+  Scene scene = built_in_scene("headon");
   scene.options.set("n", 2L, "test");
   Simulation simulation = make_simulation(scene);
   for (int i = 0; i < 140; ++i) simulation.step();
@@ -167,7 +167,7 @@ std::vector<std::uint64_t> bits_of_meeting(std::size_t threads) {
   return bits;
 }
 
-TEST(TwoBubblesScene, HasTheSameBitsWithOneAndTwoThreads) {
+TEST(HeadonScene, HasTheSameBitsWithOneAndTwoThreads) {
   EXPECT_TRUE(bits_of_meeting(1) == bits_of_meeting(2));
 }
 

@@ -27,8 +27,8 @@ TEST(GrowthEffect, MovesASphereOutAtTheAskedSpeed) {
   }
 }
 
-TEST(FoaminitScene, GrowsAFoamWithJunctionsAndACleanAudit) {
-  Simulation simulation = make_simulation(built_in_scene("foaminit"));
+TEST(GrowthScene, GrowsAFoamWithJunctionsAndACleanAudit) {
+  Simulation simulation = make_simulation(built_in_scene("growth"));
   EXPECT_EQ(lostopos::area_by_side(simulation.mesh()).shared, 0);
   while (simulation.time() < 0.8 - 1e-9) {
     simulation.step();

@@ -53,12 +53,21 @@ SceneEntry cube_scene() {
           [](const OptionSet& options) { return cube(options.whole("n")); }};
 }
 
+base::OptionSpec segments_or_rings() {
+  return {"m", 0L, "vertices of each ring; 0: as many as rings", "a whole number from 3 to 1024, or 0",
+          [](const base::OptionValue& value) {
+            const long m = std::get<long>(value);
+            return m == 0 || (m >= 3 && m <= 1024);
+          }};
+}
+
 SceneEntry double_bubble_scene() {
   return {"doublebubble",
           "two bubbles that share a wall: the report's case",
-          {whole_between(8, 1024, 16, "n", "rings and segments of each bubble (880 triangles for 16)")},
+          {whole_between(8, 1024, 16, "n", "rings of each bubble from pole to pole (880 triangles for 16)"),
+           segments_or_rings()},
           {{"topology.enabled", false}},
-          [](const OptionSet& options) { return double_bubble(options.whole("n")); }};
+          [](const OptionSet& options) { return double_bubble(options.whole("n"), options.whole("m")); }};
 }
 
 SceneEntry two_bubbles_scene() {

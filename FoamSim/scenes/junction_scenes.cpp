@@ -2,6 +2,7 @@
 #include "FoamSim/scenes/scene_sizes.h"
 #include "FoamSim/scenes/shapes/free_junctions.h"
 #include "FoamSim/scenes/shapes/junction_frames.h"
+#include "FoamSim/scenes/shapes/wands.h"
 
 namespace foamsim {
 
@@ -13,11 +14,29 @@ using Words = std::vector<std::string>;
 
 const Words damped{"surface_tension", "damping", "diffusion"};
 
+// The reference program's: nothing held, the mesh as it is.
+std::vector<std::pair<std::string, base::OptionValue>> left_alone(double diffusion) {
+  return {{"time", 1.0},
+          {"constraints", Words{}},
+          {"diffusion", diffusion},
+          {"remeshing.enabled", false},
+          {"topology.enabled", false}};
+}
+
+SceneEntry barrel_scene() {
+  return {"barrel",
+          "an open cylinder of film, nothing held: it stands still",
+          {whole_between(3, 4096, 24, "n", "vertices of each ring"),
+           whole_between(2, 4096, 10, "m", "rings from end to end")},
+          left_alone(0),
+          [](const OptionSet& options) { return barrel(options.whole("n"), options.whole("m")); }};
+}
+
 SceneEntry triple_junction_scene() {
   return {"triplejunction",
           "three flat films that meet at 120 degrees, nothing held: they stand still",
           {subdivisions(2, "subdivisions of the films (6*4^n triangles)")},
-          {{"time", 1.0}, {"constraints", Words{}}, {"diffusion", 0.0}, {"topology.enabled", false}},
+          left_alone(0),
           [](const OptionSet& options) { return free_triple_junction(options.whole("n")); }};
 }
 
@@ -36,7 +55,7 @@ SceneEntry quad_junction_scene() {
   return {"quadjunction",
           "six flat films round a Plateau vertex off its balance, nothing held: it moves towards it",
           {subdivisions(2, "subdivisions of the films (12*4^n triangles)")},
-          {{"time", 1.0}, {"constraints", Words{}}, {"diffusion", 1.0}, {"topology.enabled", false}},
+          left_alone(2),
           [](const OptionSet& options) { return free_quad_junction(options.whole("n")); }};
 }
 
@@ -54,7 +73,8 @@ SceneEntry quad_junction_frame_scene() {
 }  // namespace
 
 std::vector<SceneEntry> junction_scenes() {
-  return {triple_junction_scene(), triple_junction_frame_scene(), quad_junction_scene(), quad_junction_frame_scene()};
+  return {barrel_scene(), triple_junction_scene(), triple_junction_frame_scene(), quad_junction_scene(),
+          quad_junction_frame_scene()};
 }
 
 }  // namespace foamsim

@@ -6,6 +6,7 @@
 
 #include "Base/error.h"
 #include "FoamSim/scenes/reference_options.h"
+#include "FoamSim/scenes/shapes/held.h"
 #include "FoamSim/scenes/toml_scene.h"
 #include "LosTopos/io/mesh_file.h"
 #include "LosTopos/io/rec.h"
@@ -108,17 +109,6 @@ void hold_free_edges(StartSurface& start) {
       start.held.insert(start.held.end(), start.mesh.vertices(e).begin(), start.mesh.vertices(e).end());
 }
 
-// In a file of the reference program a triangle with three held corners is part of a solid; the tracker takes over what
-// waits in the mesh.
-void mark_solids(StartSurface& start) {
-  std::vector<char> is_held(start.mesh.vertex_slots(), 0);
-  for (Vertex v : start.held) is_held[v.index()] = 1;
-  auto solid = start.mesh.add_triangle_attribute<std::uint8_t>("solid", lostopos::carry::copy);
-  for (lostopos::Triangle t : start.mesh.triangles())
-    solid[t] = std::ranges::all_of(start.mesh.vertices(t), [&](Vertex v) { return is_held[v.index()] != 0; }) ? 1 : 0;
-  std::move(solid).leave();
-}
-
 StartSurface start_surface(const Scene& scene) {
   if (scene.mesh_file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
@@ -128,7 +118,8 @@ StartSurface start_surface(const Scene& scene) {
     start.held.emplace_back(held.vertex);
     start.mesh.set_position(Vertex(held.vertex), held.position);
   }
-  if (!start.held.empty()) mark_solids(start);
+  // In a file of the reference program a triangle with three held corners is part of a solid.
+  if (!start.held.empty()) mark_solids(start.mesh, start.held);
   return start;
 }
 

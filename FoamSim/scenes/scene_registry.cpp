@@ -7,7 +7,7 @@ namespace {
 
 std::vector<SceneEntry> all_scenes() {
   std::vector<SceneEntry> all;
-  for (auto* family : {closed_scenes, junction_scenes, foam_scenes})
+  for (auto* family : {closed_scenes, junction_scenes, wire_scenes, foam_scenes})
     for (SceneEntry& scene : family()) all.push_back(std::move(scene));
   return all;
 }

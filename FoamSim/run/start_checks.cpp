@@ -30,7 +30,7 @@ void audit_surface(const Simulation& simulation, std::vector<std::string>& notes
 }
 
 void look_for_open_edges(const Scene& scene, const Simulation& simulation, std::vector<std::string>& notes) {
-  if (scene.mesh_file.empty()) return;
+  if (start_file(scene).empty()) return;
   const std::size_t open = lostopos::open_edge_count(simulation.mesh());
   if (open > 0)
     notes.push_back("the surface has " + std::to_string(open) +
@@ -61,6 +61,8 @@ void require_carried(const Scene& scene, const Simulation& simulation, const Sta
 
 std::vector<std::string> check_start(const Scene& scene, const Simulation& simulation, const StartOfRun& start) {
   std::vector<std::string> notes;
+  if (scene.mesh_file.empty())
+    if (const auto& of_scene = scene.catalogue->scenes.find(scene.name).notes) notes = of_scene(scene.options);
   audit_surface(simulation, notes);
   look_for_open_edges(scene, simulation, notes);
   require_carried(scene, simulation, start, notes);

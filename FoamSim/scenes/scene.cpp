@@ -110,8 +110,9 @@ void hold_free_edges(StartSurface& start) {
 }
 
 StartSurface start_surface(const Scene& scene) {
-  if (scene.mesh_file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
-  lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
+  const std::string file = start_file(scene);
+  if (file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
+  lostopos::SurfaceData data = lostopos::read_surface(file);
   StartSurface start{lostopos::to_mesh(data)};
   if (const auto* circulation = find_pair_array(data, lostopos::rec_pair_array)) start.circulation = *circulation;
   for (const lostopos::HeldVertex& held : data.held) {
@@ -124,7 +125,7 @@ StartSurface start_surface(const Scene& scene) {
 }
 
 void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simulation& simulation) {
-  if (scene.mesh_file.empty()) {
+  if (scene.mesh_file.empty() && !scene.catalogue->scenes.find(scene.name).mesh_file) {
     if (const auto& set_motion = scene.catalogue->scenes.find(scene.name).set_motion)
       set_motion(scene.options, simulation);
     return;
@@ -268,6 +269,12 @@ void validate(const Scene& scene, std::span<const std::string> also_used) {
     if (kind.empty() || !scene.options.is_set(spec.key) || uses(scene.options, spec.owner, also_used)) continue;
     throw base::InputError(not_used_message(spec, scene.options));
   }
+}
+
+std::string start_file(const Scene& scene) {
+  if (!scene.mesh_file.empty()) return scene.mesh_file;
+  const auto& named = scene.catalogue->scenes.find(scene.name).mesh_file;
+  return named ? named(scene.options) : std::string();
 }
 
 SurfaceMesh build_surface(const Scene& scene) {

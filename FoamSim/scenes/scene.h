@@ -49,6 +49,9 @@ Scene built_in_scene(std::string_view name, std::shared_ptr<const Catalogue> cat
 /// that are compared have one set of options: `also_used` are area strategies of the others.
 void validate(const Scene& scene, std::span<const std::string> also_used = {});
 
+/// The mesh file that it starts from; empty: a built-in shape. Throws base::InputError where its folder lacks it.
+std::string start_file(const Scene& scene);
+
 /// The start surface. Throws base::InputError for a bad size or file.
 lostopos::SurfaceMesh build_surface(const Scene& scene);
 

@@ -24,6 +24,7 @@ struct Change {
 const std::vector<Change>& changes() {
   static const std::vector<Change> all{
       {"n", "doublebubble", "n=17"},
+      {"m", "doublebubble", "m=20"},
       {"mode", "mode", "mode=2"},
       {"amplitude", "mode --set mode=2", "amplitude=0.05"},
       {"gap", "headon --set n=1", "gap=0.3"},
@@ -103,6 +104,7 @@ std::string outcome(const std::string& command) {
 bool seen_elsewhere(const std::string& key) {
   return key.starts_with("tracker.") ||           // where films collide: TrackerOptionsOfScenes
          key.starts_with("topology.") ||          // where films meet: TopologyOptionsOfScenes
+         key == "load_dir" ||                     // FoamStart, LoadScene
          key == "checkpoint_every" ||             // in an interrupted run only: InterruptedRun.CanBeResumed
          key == "pressure" || key == "velocity";  // there is one of each
 }

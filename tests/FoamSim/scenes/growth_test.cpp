@@ -1,10 +1,11 @@
 // Spheres that grow until they have pressed each other into a foam.
+#include "FoamSim/effects/growth.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "FoamSim/effects/growth.h"
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/scene.h"
 #include "FoamSim/scenes/shapes/solids.h"

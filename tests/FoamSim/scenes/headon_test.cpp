@@ -1,6 +1,4 @@
 // Two bubbles that fly towards each other, and what becomes of them when they meet.
-#include "FoamSim/scenes/shapes/two_bubbles.h"
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -13,6 +11,7 @@
 
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/scene.h"
+#include "FoamSim/scenes/shapes/two_bubbles.h"
 #include "LosTopos/mesh/audit.h"
 
 namespace foamsim {

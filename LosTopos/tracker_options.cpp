@@ -34,6 +34,8 @@ std::vector<base::OptionSpec> remeshing_specs(const TrackerOptions& d) {
                             "the edge opposite to a larger angle is split, degrees"),
       base::positive_number("remeshing.max_volume_change", d.remesh.max_volume_change,
                             "largest change of a volume by an operation, in resolutions cubed"),
+      base::flag("remeshing.collapse_to_held", d.remesh.collapse_to_held,
+                 "collapse short edges also into a held vertex; false where there are wires or rods"),
       base::flag("remeshing.smoothing", d.remesh.smoothing, "smooth badly shaped triangles along the films"),
       base::positive_number("remeshing.smooth_below", d.remesh.smooth_below_angle,
                             "triangles with a smaller angle are smoothed, degrees; 60: all"),
@@ -84,6 +86,7 @@ TrackerOptions tracker_options(const base::OptionSet& options) {
   tracker.remesh.max_angle = options.number("remeshing.max_angle");
   tracker.remesh.split_angle = options.number("remeshing.split_angle");
   tracker.remesh.max_volume_change = options.number("remeshing.max_volume_change");
+  tracker.remesh.collapse_to_held = options.flag("remeshing.collapse_to_held");
   tracker.remesh.smoothing = options.flag("remeshing.smoothing");
   tracker.remesh.smooth_below_angle = options.number("remeshing.smooth_below");
   tracker.remesh.use_butterfly = options.flag("remeshing.butterfly");

@@ -18,15 +18,32 @@ void Dynamics::restore(const nlohmann::json& state) {
   if (!state.is_null()) throw base::InputError("the state is one of other dynamics");
 }
 
-void StepScope::change_circulation(const SheetVelocities& velocities) {
+void StepScope::change_circulation(const SheetAir& air) {
   for (const auto& effect : effects_) {
     const base::TimedScope timed(report_.times, effect->name());
     effect->update_circulation(step_, circulation_);
   }
   for (const auto& constraint : constraints_) {
     const base::TimedScope timed(report_.times, constraint->name());
-    constraint->correct_circulation(step_, circulation_, velocities);
+    const AirChange change = constraint->correct_circulation(step_, circulation_, air);
+    report_.wire_iterations = std::max(report_.wire_iterations, change.iterations);
+    report_.wire_work += change.work;
   }
+}
+
+HeldMotion StepScope::held_motion() const {
+  HeldMotion motion;
+  for (const auto& constraint : constraints_) constraint->tell_motion(step_, motion);
+  return motion;
+}
+
+void StepScope::add_effect_velocity(std::span<const lostopos::Vertex> at, std::span<Vec3> velocity) {
+  std::vector<Vec3> added(positions().size(), Vec3::Zero());
+  for (const auto& effect : effects_) {
+    const base::TimedScope timed(report_.times, effect->name());
+    effect->add_velocity({step_, step_.time, positions()}, added);
+  }
+  for (std::size_t i = 0; i < at.size(); ++i) velocity[i] += added[at[i].index()];
 }
 
 void StepScope::add_velocity(double after, std::span<const Vec3> positions, std::span<Vec3> velocity) {
@@ -36,10 +53,15 @@ void StepScope::add_velocity(double after, std::span<const Vec3> positions, std:
     const base::TimedScope timed(report_.times, effect->name());
     effect->add_velocity(stage, velocity);
   }
-  if (std::ranges::equal(before, velocity)) return;
-  std::vector<Vec3> added(velocity.begin(), velocity.end());
-  for (std::size_t i = 0; i < added.size(); ++i) added[i] -= before[i];
-  for (const auto& effect : effects_) effect->velocity_added(stage, added);
+  if (!std::ranges::equal(before, velocity)) {
+    std::vector<Vec3> added(velocity.begin(), velocity.end());
+    for (std::size_t i = 0; i < added.size(); ++i) added[i] -= before[i];
+    for (const auto& effect : effects_) effect->velocity_added(stage, added);
+  }
+  for (const auto& constraint : constraints_) {
+    const base::TimedScope timed(report_.times, constraint->name());
+    constraint->add_velocity(stage, velocity);
+  }
 }
 
 void StepScope::add_force(double after, std::span<const Vec3> positions, std::span<Vec3> force) {

@@ -33,8 +33,12 @@ class StepScope {
   StepReport& report() { return report_; }
 
   /// Effects change Γ, in their order, then constraints, which may ask for the velocity that the air would have.
-  void change_circulation(const SheetVelocities& velocities);
-  /// Adds the effects' own velocities at an instant `after` (T) the start of the step.
+  void change_circulation(const SheetAir& air);
+  /// How held vertices move with which the air has to go; empty arrays: there are none.
+  HeldMotion held_motion() const;
+  /// The effects' own velocities at vertices as the step begins, added to `velocity`.
+  void add_effect_velocity(std::span<const lostopos::Vertex> at, std::span<lostopos::Vec3> velocity);
+  /// Adds the effects' and constraints' own velocities at an instant `after` (T) the start of the step.
   void add_velocity(double after, std::span<const lostopos::Vec3> positions, std::span<lostopos::Vec3> velocity);
   /// Adds the gradients of the effects' potential energies at `positions`, by vertex slot, L⁴/T².
   void add_force(double after, std::span<const lostopos::Vec3> positions, std::span<lostopos::Vec3> force);

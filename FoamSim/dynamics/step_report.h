@@ -17,6 +17,8 @@ struct StepReport {
   /// Hydrodynamic impulse at that instant (mean of before and after), L⁴/T.
   lostopos::Vec3 impulse = lostopos::Vec3::Zero();
   double impulse_scale = 0;  ///< Σ|2Γ̄ area| there: what the impulse's size compares with, L⁴/T
+  double wire_work = 0;      ///< energy that wires and rods have put into films and air by moving them, L⁵/T²
+  long wire_iterations = 0;  ///< most that a solve for the air to go with them took
   /// @name Of the conservative dynamics; else as they are here
   ///@{
   double stable_dt = 0;           ///< longest step that the stiffest films bear, T

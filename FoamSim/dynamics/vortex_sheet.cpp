@@ -30,10 +30,14 @@ void VortexSheet::advance(StepScope& scope, std::vector<Vec3>& predicted) {
 }
 
 void VortexSheet::change_circulation(StepScope& scope) {
-  scope.change_circulation([&](std::span<Vec3> velocity) {
-    gather_sheet(scope.mesh(), scope.circulation(), sheet_, scope.solid());
-    velocity_.evaluate(sheet_, scope.positions(), scope.positions(), delta_, velocity);
-  });
+  std::vector<Vec3> targets;
+  scope.change_circulation({delta_, [&](std::span<const lostopos::Vertex> at, std::span<Vec3> velocity) {
+                              gather_sheet(scope.mesh(), scope.circulation(), sheet_, scope.solid());
+                              targets.clear();
+                              for (lostopos::Vertex v : at) targets.push_back(scope.positions()[v.index()]);
+                              velocity_.evaluate(sheet_, scope.positions(), targets, delta_, velocity);
+                              scope.add_effect_velocity(at, velocity);
+                            }});
 }
 
 // From the sheet's velocities at the start, which are known, to where the vertices are to go.

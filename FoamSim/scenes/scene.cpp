@@ -74,6 +74,10 @@ bool contains(std::span<const std::string> words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
+bool holds_by_wire(const base::OptionSet& options) {
+  return contains(options.words("constraints"), "wire") || contains(options.words("constraints"), "rod");
+}
+
 // Whether the scene uses the owner of an option.
 bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
           std::span<const std::string> also_used) {
@@ -109,6 +113,15 @@ void hold_free_edges(StartSurface& start) {
       start.held.insert(start.held.end(), start.mesh.vertices(e).begin(), start.mesh.vertices(e).end());
 }
 
+// These and what waits in the mesh as held: what a scene's shape marks, or a surface that is on its way.
+std::vector<Vertex> with_marked_vertices(SurfaceMesh& mesh, std::vector<Vertex> vertices) {
+  auto hold = mesh.add_vertex_attribute<lostopos::Hold>("hold", lostopos::carry::copy, lostopos::Hold::none);
+  for (Vertex v : mesh.vertices())
+    if (lostopos::is_held(hold[v])) vertices.push_back(v);
+  std::move(hold).leave();
+  return vertices;
+}
+
 StartSurface start_surface(const Scene& scene) {
   const std::string file = start_file(scene);
   if (file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
@@ -119,8 +132,13 @@ StartSurface start_surface(const Scene& scene) {
     start.held.emplace_back(held.vertex);
     start.mesh.set_position(Vertex(held.vertex), held.position);
   }
-  // In a file of the reference program a triangle with three held corners is part of a solid.
-  if (!start.held.empty()) mark_solids(start.mesh, start.held);
+  if (start.held.empty()) return start;
+  // In a file of the reference program a triangle with three held corners is part of a solid. A frame marks for itself
+  // what it holds.
+  if (holds_by_wire(scene.options))
+    mark_held(start.mesh, start.held);
+  else
+    mark_solids(start.mesh, start.held);
   return start;
 }
 
@@ -191,6 +209,8 @@ base::OptionSet options_in_use(const base::OptionSet& options) {
     if (!used.is_set(key)) used.set_default(key, value);
   };
   fill_in("effects", effects_of(options));
+  // A wire or rod keeps its vertices, and films near it theirs.
+  if (holds_by_wire(options)) fill_in("remeshing.collapse_to_held", false);
   if (options.word("dynamics") == "conservative") {
     // The scheme keeps volumes, so remeshing must not be what changes them; and it rests where the area of the mesh is
     // least, which is the nearer to the films' rest the better its triangles are.
@@ -298,9 +318,10 @@ SimulationParts simulation_parts(const Scene& scene, double resolution, const st
       .constraints = {},
       .dynamics =
           catalogue.dynamics.find(options.word("dynamics")).make({options, catalogue.sheet, catalogue.integrators})};
-  for (const ConstraintEntry& entry : catalogue.constraints)
-    if (contains(options.words("constraints"), entry.name))
-      parts.constraints.push_back(entry.make({options, resolution, edges}));
+  for (const ConstraintEntry& entry : catalogue.constraints) {
+    if (!contains(options.words("constraints"), entry.name)) continue;
+    if (auto constraint = entry.make({options, resolution, edges})) parts.constraints.push_back(std::move(constraint));
+  }
   return parts;
 }
 
@@ -309,7 +330,8 @@ Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resol
   validate(scene);
   SimulationOptions options = simulation_options(scene.options);
   options.resolution = resolution;
-  return {std::move(surface), options, simulation_parts(scene, resolution, edges)};
+  const std::vector<Vertex> held = with_marked_vertices(surface, edges);
+  return {std::move(surface), options, simulation_parts(scene, resolution, held)};
 }
 
 Simulation make_simulation(const Scene& scene) {

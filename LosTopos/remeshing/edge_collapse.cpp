@@ -39,6 +39,7 @@ std::optional<Refusal> EdgeCollapse::choose_ends(Edge e) {
   const auto [a, b] = c_.mesh.vertices(e);
   const Hold hold_a = c_.held[a], hold_b = c_.held[b];
   if (is_held(hold_a) && is_held(hold_b)) return Refusal::held;
+  if (!c_.options.collapse_to_held && (is_held(hold_a) || is_held(hold_b))) return Refusal::held;
   if (!stays_in_walls(c_.mesh, a, hold_a, b, hold_b)) return Refusal::held;
   const bool more_a = !holds_all_of(hold_b, hold_a), more_b = !holds_all_of(hold_a, hold_b);
   if (!keeps_junctions(c_.mesh, e)) return Refusal::junction_topology;

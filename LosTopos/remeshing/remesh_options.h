@@ -19,6 +19,7 @@ struct RemeshOptions {
 
   bool split = true;
   bool collapse = true;
+  bool collapse_to_held = true;  ///< also edges with one held end, to which the other goes; false: never these
   bool flip = true;
   bool smoothing = true;
   /// New vertices go to the modified-butterfly position on films and to the cubic through four vertices on junction

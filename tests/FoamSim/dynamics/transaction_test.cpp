@@ -68,9 +68,10 @@ class SabotagedConstraint final : public Constraint {
   SabotagedConstraint(Where where, long fails_at) : where_(where), fails_at_(fails_at) {}
   std::string_view name() const override { return "sabotaged"; }
   void attach(lostopos::SurfaceTracker&) override {}
-  void correct_circulation(const EffectStep&, CirculationField&, const SheetVelocities&) override {
+  AirChange correct_circulation(const EffectStep&, CirculationField&, const SheetAir&) override {
     ++count_;
     if (where_ == Where::constraint_circulation && count_ > fails_at_) throw std::runtime_error("sabotage");
+    return {};
   }
   void prescribe(const Stage&, std::span<Vec3>) override {
     if (where_ == Where::constraint_positions && count_ > fails_at_) throw std::runtime_error("sabotage");

@@ -12,11 +12,11 @@ namespace foamsim {
 /// A point vortex whose strength depends on up to three unknowns: Σ strength of each × unknown.
 struct InductionSource {
   struct Part {
-    std::uint32_t unknown;
-    lostopos::Vec3 strength;  ///< vorticity for one unit of the unknown
+    std::uint32_t unknown = 0;
+    lostopos::Vec3 strength = lostopos::Vec3::Zero();  ///< vorticity for one unit of the unknown
   };
   lostopos::Vec3 point;  ///< L
-  std::array<Part, 3> parts;
+  std::array<Part, 3> parts = {};
   std::size_t count = 0;  ///< of parts that are used
 };
 

@@ -110,7 +110,7 @@ std::vector<InductionSource> film_sources(const EffectStep& step, std::span<cons
   std::vector<InductionSource> sources;
   for (Triangle t : triangles) {
     const auto& v = mesh.vertices(t);
-    InductionSource source{(mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3, {}};
+    InductionSource source{(mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3, {}, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto it = unknowns.find({v[k], RegionPair(mesh.labels(t))});
       if (it == unknowns.end()) continue;
@@ -126,7 +126,7 @@ std::vector<InductionSource> segment_sources(std::span<const Vec3> positions, st
   std::vector<InductionSource> sources;
   for (std::uint32_t k = 0; k < edges.size(); ++k) {
     const Vec3 &from = positions[edges[k].from.index()], &to = positions[edges[k].to.index()];
-    InductionSource source{(from + to) / 2, {}};
+    InductionSource source{(from + to) / 2, {}, 0};
     source.parts[source.count++] = {k, (to - from).normalized()};
     sources.push_back(source);
   }

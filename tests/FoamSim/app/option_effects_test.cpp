@@ -22,6 +22,10 @@ struct Change {
 };
 
 const std::vector<Change>& changes() {
+  static const std::string wired_frame =
+      "quadjunction-frame --set n=2 --set constraints=wire --set 'wires=free-edges: move 0.5 0 0'";
+  static const std::string wired_bubbles =
+      "doublebubble --set n=16 --set constraints=wire --set 'wires=x < -1: move -0.5 0 0'";
   static const std::vector<Change> all{
       {"n", "doublebubble", "n=17"},
       {"m", "doublebubble", "m=20"},
@@ -38,6 +42,13 @@ const std::vector<Change>& changes() {
       {"delta", "doublebubble", "delta=0.5"},
       {"integrator", "doublebubble", "integrator=rk4"},
       {"constraints", "quadjunction-frame --set n=2", "constraints="},
+      {"wires", wired_frame, "'wires=free-edges: move 1 0 0'"},
+      {"wire_interior", wired_bubbles, "wire_interior=false"},
+      {"wire_weight", wired_bubbles, "wire_weight=0.01"},
+      {"open_boundary", wired_frame, "open_boundary=true"},
+      {"open_weight", wired_frame + " --set open_boundary=true", "open_weight=0.01"},
+      {"remeshing.collapse_to_held", wired_bubbles + " --set remeshing.shortest_edge=0.7",
+       "remeshing.collapse_to_held=true"},
       {"effects", "doublebubble", "effects=surface_tension"},
       {"frame_every", "doublebubble", "frame_every=1"},
       {"metrics_every", "doublebubble", "metrics_every=2"},

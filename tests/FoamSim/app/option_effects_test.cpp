@@ -47,7 +47,7 @@ const std::vector<Change>& changes() {
       {"wire_weight", wired_bubbles, "wire_weight=0.01"},
       {"open_boundary", wired_frame, "open_boundary=true"},
       {"open_weight", wired_frame + " --set open_boundary=true", "open_weight=0.01"},
-      {"remeshing.collapse_to_held", wired_bubbles + " --set remeshing.shortest_edge=0.7",
+      {"remeshing.collapse_to_held", wired_bubbles + " --set remeshing.shortest_edge=0.95",
        "remeshing.collapse_to_held=true"},
       {"effects", "doublebubble", "effects=surface_tension"},
       {"frame_every", "doublebubble", "frame_every=1"},

@@ -70,7 +70,11 @@ SceneEntry pulling_foam_scene() {
   return {.name = "pullingfoam",
           .summary = "a foam held by two rings that are pulled apart",
           .options = start_of_foam(),
-          .defaults = {{"time", 2.0}, {"diffusion", 20.0}, {"resolution", 0.15}},
+          .defaults = {{"time", 2.0},
+                       {"diffusion", 20.0},
+                       {"resolution", 0.15},
+                       {"constraints", std::vector<std::string>{"wire"}},
+                       {"wires", std::vector<std::string>{"held: pull 0.04"}}},
           .build =
               [](const OptionSet& options) {
                 SurfaceMesh mesh = foam(options);

@@ -25,6 +25,7 @@ double Conservative::attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& st
   if (options_.near_field) near_ = NearField(delta_, 0.5 * regular);
   motion_.emplace(delta_, near_, options_.precision);
   change_.emplace(delta_, near_, options_.precision);
+  driven_.emplace(delta_, near_);
   viscosity_.emplace(options_.viscosity);
   potential_.emplace(mesh, options_.conserving_transfers);
   return delta_;
@@ -49,7 +50,10 @@ void Conservative::advance(StepScope& scope, Positions& predicted) {
   for (long left = options_.most_substeps; left > 0; --left) {
     if (substeps > 0) phi_ = new_phi_;
     evaluate(scope, done, predicted, phi_, rates_);
-    if (substeps == 0) take_back_remeshing(scope);
+    if (substeps == 0) {
+      take_back_remeshing(scope);
+      if (start_wires(scope, predicted)) evaluate(scope, done, predicted, phi_, rates_);
+    }
     LocalResponse response(films_, shape_, predicted, delta_, near_);
     const double longest = longest_substep(scope, predicted, response);
     const double parts = std::clamp(std::ceil((dt - done) / longest), 1.0, static_cast<double>(left));
@@ -60,6 +64,7 @@ void Conservative::advance(StepScope& scope, Positions& predicted) {
     done += part;
   }
   scope.correct_positions(dt, predicted);
+  count_surface_work(scope, predicted);
   surface_energy_ = scope.potential_energy(dt, predicted);
   potential_->scatter(films_, new_phi_);
   put_circulation(films_, new_phi_, scope.circulation());
@@ -81,6 +86,7 @@ void Conservative::start(StepScope& scope) {
   put_circulation(films_, phi_, scope.circulation());
   scope.change_circulation({});
   take_circulation(films_, scope.circulation(), phi_);
+  driven_->begin(scope.held_motion());
 }
 
 void Conservative::evaluate(StepScope& scope, double after, std::span<const Vec3> x, std::span<const double> phi,
@@ -88,6 +94,7 @@ void Conservative::evaluate(StepScope& scope, double after, std::span<const Vec3
   {
     const base::TimedScope timed(scope.report().times, "velocity");
     shape_.update(films_, x);
+    if (drives_air() && options_.stepping != Stepping::kick_drift) phi = held_at_stage(scope, x, phi);
     motion_->evaluate(films_, shape_, x, phi, PairTerms::all);
   }
   const base::TimedScope timed(scope.report().times, "forces");
@@ -105,12 +112,17 @@ void Conservative::evaluate(StepScope& scope, double after, std::span<const Vec3
   if (options_.inertia) motion_->add_inertia(films_, shape_, x, rates.x, force_);
   press(rates.phi);
   slip_power_ = unbalanced_power(films_, shape_, force_, pressure_, rates.x);
+  if (drives_air()) slip_power_ -= driven_->power(force_);
 }
 
 void Conservative::move(StepScope& scope, std::span<const Vec3> x, std::span<const double> phi,
                         std::span<const double> flux, Positions& velocity) {
   velocity.resize(films_.vertex_slots());
-  if (!sheet_sum_) return fit_velocities(films_, shape_, flux, tangential_, velocity);
+  if (!sheet_sum_) {
+    fit_velocities(films_, shape_, flux, tangential_, velocity);
+    driven_->prescribe(velocity);
+    return;
+  }
   put_circulation(films_, phi, scope.circulation());
   gather_sheet(scope.mesh(), scope.circulation(), sheet_, scope.solid());
   sheet_sum_->evaluate(sheet_, x, x, delta_, velocity);

@@ -8,6 +8,7 @@
 #include "FoamSim/conservative/mesh_motion.h"
 #include "FoamSim/conservative/potential.h"
 #include "FoamSim/conservative/viscosity.h"
+#include "FoamSim/dynamics/driven_air.h"
 #include "FoamSim/dynamics/dynamics.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
 
@@ -30,8 +31,8 @@ struct ConservativeOptions {
   double safety = 0.75;         ///< share of the longest stable step that is used
   double largest_strain = 0.4;  ///< change of an edge in a substep, as a share of its length
   Precision precision = Precision::automatic;
-  long most_substeps = 16;      ///< a step is made in as many as these two ask for
-  bool correction = true;       ///< what is left of energy and impulse lost or won is given back; with kick_drift
+  long most_substeps = 16;  ///< a step is made in as many as these two ask for
+  bool correction = true;   ///< what is left of energy and impulse lost or won is given back; with kick_drift
 };
 
 /// Bound on the fixed-point iteration of Stepping::midpoint.
@@ -72,6 +73,19 @@ class Conservative final : public Dynamics {
   };
 
   void start(StepScope& scope);
+  // Whether vertices are driven by wires with which the air has to go.
+  bool drives_air() const { return driven_->acts() && !sheet_sum_; }
+  // At the start of a step: φ_ for which the air goes with wires as they move now. Whether anything was changed.
+  bool start_wires(StepScope& scope, std::span<const lostopos::Vec3> x);
+  // The same within a kick, from φ_ to new_phi_; leaves change_ as that of the whole kick. Returns the wires' work.
+  double hold_in_kick(StepScope& scope, std::span<const lostopos::Vec3> x);
+  // The same for φ at a stage of other steppings.
+  std::span<const double> held_at_stage(StepScope& scope, std::span<const lostopos::Vec3> x,
+                                        std::span<const double> phi);
+  // Work of moving what is held: counted, and known to the invariants.
+  void count_work(StepScope& scope, double work);
+  void count_surface_work(StepScope& scope, std::span<const lostopos::Vec3> x);
+  void count_inertia_work(StepScope& scope, double dt, std::span<const lostopos::Vec3> x);
   long evaluations() const;
   // Rates of change at an instant after the step's start; leaves shape_, motion_ and force_ as they are there.
   void evaluate(StepScope& scope, double after, std::span<const lostopos::Vec3> x, std::span<const double> phi,
@@ -104,9 +118,10 @@ class Conservative final : public Dynamics {
   std::optional<Viscosity> viscosity_;
   NearField near_;
   std::optional<FilmMotion> motion_, change_;  // of φ, and of its change by a kick
+  std::optional<DrivenAir> driven_;
   std::optional<SheetVelocity> sheet_sum_;
   std::vector<SheetTriangle> sheet_;
-  std::vector<double> phi_, new_phi_, stage_phi_, pressure_;
+  std::vector<double> phi_, new_phi_, stage_phi_, held_phi_, pressure_;
   Positions tangential_, force_, stage_x_;
   Rates rates_, sum_;
   std::optional<Invariants> kept_;                 // of the last step, what the next one has to have
@@ -115,6 +130,7 @@ class Conservative final : public Dynamics {
   double expected_kinetic_ = 0;
   double slip_power_ = 0;      // of the last evaluation: forces that no pressure balances, times velocities
   double surface_energy_ = 0;  // of the positions that the last step predicted
+  double wire_due_ = 0;        // work of wires that kept_ does not know of yet
 };
 
 }  // namespace foamsim

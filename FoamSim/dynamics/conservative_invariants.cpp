@@ -40,6 +40,7 @@ nlohmann::json Conservative::state() const {
           {"missing", of(missing_)},
           {"expected_kinetic_energy", expected_kinetic_},
           {"surface_energy", surface_energy_},
+          {"wire_work", wire_due_},
           {"about", {about_.x(), about_.y(), about_.z()}}};
 }
 
@@ -56,6 +57,7 @@ void Conservative::restore(const nlohmann::json& state) {
   const Invariants kept = from(state.at("kept")), missing = from(state.at("missing"));
   expected_kinetic_ = state.at("expected_kinetic_energy");
   surface_energy_ = state.at("surface_energy");
+  wire_due_ = state.value("wire_work", 0.0);
   const nlohmann::json& about = state.at("about");
   about_ = Vec3(about.at(0).get<double>(), about.at(1).get<double>(), about.at(2).get<double>());
   kept_ = kept;
@@ -112,6 +114,7 @@ void Conservative::remember(StepScope& scope, double energy, std::span<const dou
   Invariants now = impulses(films_, shape_, scope.positions(), about_, phi);
   now.energy = energy;
   if (kept_) {
+    kept_->energy += wire_due_;
     // Surface that remeshing has smoothed away is gone; what it has added has to come from the air.
     kept_->energy += std::min(0.0, scope.report().potential_energy - surface_energy_);
     const double air = scope.report().tracker_kinetic_energy;
@@ -122,6 +125,7 @@ void Conservative::remember(StepScope& scope, double energy, std::span<const dou
   } else {
     kept_ = now;
   }
+  wire_due_ = 0;
 }
 
 void Conservative::report_state(StepScope& scope, double kinetic_energy, std::span<const double> phi) const {

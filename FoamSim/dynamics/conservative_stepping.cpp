@@ -38,6 +38,7 @@ void Conservative::substep(const Substep& step, Positions& x) {
     for (std::size_t e = 0; e < phi_.size(); ++e) phi_[e] += step.dt * rates_.phi[e];
     evaluate(step.scope, step.after, x, phi_, rates_);
   }
+  count_inertia_work(step.scope, step.dt, x);
   if (options_.stepping == Stepping::midpoint)
     midpoint(step, x);
   else
@@ -63,6 +64,8 @@ void Conservative::kick_drift(const Substep& step, Positions& x) {
   stage_phi_.resize(phi_.size());
   for (std::size_t e = 0; e < phi_.size(); ++e) stage_phi_[e] = new_phi_[e] - phi_[e];
   change_->evaluate(films_, shape_, x, stage_phi_, PairTerms::potential);
+  const double wire_work = drives_air() ? hold_in_kick(scope, x) : 0;
+  count_work(scope, wire_work / 2);
   // φ half-way between before and after the kick belongs to the positions.
   std::vector<double> flux(films_.entries());
   double kinetic = 0;
@@ -73,10 +76,12 @@ void Conservative::kick_drift(const Substep& step, Positions& x) {
   }
   move(scope, x, new_phi_, flux, rates_.x);
   expect_kinetic_energy(dt, x, flux);
+  const double inertia_work = drives_air() ? dt * driven_->power(force_) : 0;
   if (first) {
     report_state(scope, kinetic, stage_phi_);
     remember(scope, kinetic + scope.report().potential_energy, stage_phi_);
   }
+  count_work(scope, wire_work / 2 + inertia_work);
   scope.add_velocity(after, x, rates_.x);
   for (std::size_t v = 0; v < x.size(); ++v) x[v] += dt * rates_.x[v];
 }

@@ -25,6 +25,20 @@ Vec3 area_vector(const SurfaceMesh& mesh, Triangle t, std::span<const Vec3> x) {
   return 0.5 * (x[b.index()] - x[a.index()]).cross(x[c.index()] - x[a.index()]);
 }
 
+// The volumes that are to be kept. Not of bubbles that a solid closes: air goes through that.
+std::map<Region, double> bubbles_of(const SurfaceMesh& mesh) {
+  std::map<Region, double> bubbles;
+  for (const auto& [region, volume] : lostopos::closed_region_volumes(mesh))
+    if (region != lostopos::air) bubbles[region] = volume;
+  for (const lostopos::NamedAttributeColumn* column : mesh.named_triangle_attributes()) {
+    if (column->name() != "solid") continue;
+    for (Triangle t : mesh.triangles())
+      if (column->number(t.index(), 0) != 0)
+        for (Region r : {mesh.labels(t).p, mesh.labels(t).q}) bubbles.erase(r);
+  }
+  return bubbles;
+}
+
 // The closed bubbles of a surface with its vertices anywhere: numbers of the rows, volumes, and gradients.
 class Bubbles {
  public:
@@ -92,8 +106,7 @@ class Bubbles {
 }  // namespace
 
 void Volumes::attach(SurfaceMesh& mesh) {
-  for (const auto& [region, volume] : lostopos::closed_region_volumes(mesh))
-    if (region != lostopos::air) wanted_[region] = volume;
+  wanted_ = bubbles_of(mesh);
 }
 
 void Volumes::velocity_added(const Stage& stage, std::span<const Vec3> added) {
@@ -108,9 +121,7 @@ void Volumes::velocity_added(const Stage& stage, std::span<const Vec3> added) {
 }
 
 void Volumes::follow(const SurfaceMesh& mesh) {
-  std::map<Region, double> now;
-  for (const auto& [region, volume] : lostopos::closed_region_volumes(mesh))
-    if (region != lostopos::air) now[region] = volume;
+  const std::map<Region, double> now = bubbles_of(mesh);
   for (const auto& [gone, had] : wanted_) {
     if (now.contains(gone)) continue;
     for (const auto& [region, volume] : now)

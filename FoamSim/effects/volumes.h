@@ -11,7 +11,7 @@ namespace foamsim {
 /// vertex goes by Σ_r λ_r a_v^r / A_v, the least displacement that brings volumes back to what they have to be, by two
 /// Newton steps on a sparse system of one row a bubble. They change by what other effects do: by the velocities that
 /// they add, and when a bubble is gone, into another by a burst, which then takes over what it had to be. Bubbles with
-/// an open boundary are left alone, and so are held vertices.
+/// an open boundary are left alone, and so are those that a solid closes, through which air goes, and held vertices.
 class Volumes final : public Effect {
  public:
   std::string_view name() const override { return "volumes"; }

@@ -16,7 +16,7 @@ struct ConstraintSetup {
 };
 using ConstraintEntry = base::Model<Constraint, ConstraintSetup>;
 
-/// The built-in constraints: frame, wire. `make` gives null where there is nothing to hold.
+/// The built-in constraints: frame, wire, rod. `make` gives null where there is nothing to hold.
 const base::Registry<ConstraintEntry>& constraints();
 
 }  // namespace foamsim

@@ -26,6 +26,8 @@ const std::vector<Change>& changes() {
       "quadjunction-frame --set n=2 --set constraints=wire --set 'wires=free-edges: move 0.5 0 0'";
   static const std::string wired_bubbles =
       "doublebubble --set n=16 --set constraints=wire --set 'wires=x < -1: move -0.5 0 0'";
+  static const std::string hung_sheet =
+      "sheet --set constraints=rod --set rod_radius=0.003 --set gravity=9.8 --set 'rod_fixed=z > 0.866'";
   static const std::vector<Change> all{
       {"n", "doublebubble", "n=17"},
       {"m", "doublebubble", "m=20"},
@@ -47,6 +49,17 @@ const std::vector<Change>& changes() {
       {"wire_weight", wired_bubbles, "wire_weight=0.01"},
       {"open_boundary", wired_frame, "open_boundary=true"},
       {"open_weight", wired_frame + " --set open_boundary=true", "open_weight=0.01"},
+      {"rod_radius", hung_sheet, "rod_radius=0.01"},
+      {"rod_density", hung_sheet, "rod_density=3000"},
+      {"stretching", hung_sheet, "stretching=50"},
+      {"bending", hung_sheet, "bending=5"},
+      {"rod_damping", hung_sheet, "rod_damping=30"},
+      {"gravity", hung_sheet, "gravity=20"},
+      {"looped", hung_sheet, "looped=false"},
+      {"rod_fixed", hung_sheet, "'rod_fixed=z < 0'"},
+      {"air_density", hung_sheet, "air_density=20"},
+      {"reference_units", hung_sheet, "reference_units=true"},
+      {"rod_open_boundary", hung_sheet, "rod_open_boundary=true"},
       {"remeshing.collapse_to_held", wired_bubbles + " --set remeshing.shortest_edge=0.95",
        "remeshing.collapse_to_held=true"},
       {"effects", "doublebubble", "effects=surface_tension"},

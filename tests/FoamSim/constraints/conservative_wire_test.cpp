@@ -84,8 +84,9 @@ Balance balance(Simulation& simulation, int steps) {
 
 // The other steppings find the potentials at every stage.
 TEST(ConservativeWire, WorkIsCountedWithRungeKutta) {
-  Simulation simulation = make_simulation(conservative(
-      "bubblewand", {"constraints=wire", "wires=held: move -2 0 0", "stepping=rk4", "remeshing.enabled=false", "dt=0.004"}));
+  Simulation simulation =
+      make_simulation(conservative("bubblewand", {"constraints=wire", "wires=held: move -2 0 0", "stepping=rk4",
+                                                  "remeshing.enabled=false", "dt=0.004"}));
   const Balance b = balance(simulation, 25);
   EXPECT_GT(b.work, 0.5);
   EXPECT_LT(std::abs(b.error()), 0.005);

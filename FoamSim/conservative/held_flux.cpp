@@ -73,7 +73,7 @@ void HeldFlux::apply(std::span<const double> phi, std::vector<double>& out) {
 }
 
 long HeldFlux::solve(std::span<const double> flux, std::span<const Vec3> velocity, std::span<double> phi) {
-  constexpr double negligible = 1e-9;
+  constexpr double negligible = 1e-7;
   const std::size_t n = entries_.size();
   std::vector<double> residual, change(n, 0.0), product_of;
   double scale = 0;

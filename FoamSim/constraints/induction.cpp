@@ -101,7 +101,7 @@ Eigen::VectorXd Induction::normal_product(const Eigen::VectorXd& x, double weigh
 }
 
 Induction::Solution Induction::solve(const Eigen::VectorXd& b, double weight) const {
-  constexpr double negligible = 1e-10;
+  constexpr double negligible = 1e-9;
   Solution solution{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_)), 0};
   Eigen::VectorXd residual = transposed(b), direction = residual;
   double square = residual.squaredNorm();

@@ -49,7 +49,7 @@ class Induction {
     long iterations = 0;  ///< `most_iterations`: it was not solved in full
   };
   static constexpr long most_iterations = 400;
-  /// (MᵀM + weight² I)⁻¹ Mᵀ b, by conjugate gradients to ten digits. `weight` > 0.
+  /// (MᵀM + weight² I)⁻¹ Mᵀ b, by conjugate gradients to nine digits. `weight` > 0.
   Solution solve(const Eigen::VectorXd& b, double weight) const;
 
   /// M x.

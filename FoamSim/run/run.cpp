@@ -60,6 +60,9 @@ lostopos::run::Output output_of(const SceneMotion& motion, const RunSettings& se
           .frame_every = scene.options.whole("frame_every"),
           .checkpoint_every = scene.options.whole("checkpoint_every"),
           .vtp = scene.options.flag("vtp"),
+          .rec_every = scene.options.whole("rec_every"),
+          .obj_every = scene.options.whole("obj_every"),
+          .reference_frames = 2,
           .checkpoint = checkpoint_format(),
           .describe = [description](nlohmann::ordered_json& run) { run.update(description); }};
 }

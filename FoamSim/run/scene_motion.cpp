@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "FoamSim/metrics/metrics_csv.h"
+#include "LosTopos/io/rec.h"
 #include "LosTopos/run/events_csv.h"
 
 namespace foamsim {
@@ -50,6 +51,21 @@ lostopos::SurfaceData SceneMotion::picture() const {
     mean.values.push_back((corners[0] + corners[1] + corners[2]) / 3);
   }
   data.triangle_arrays.push_back(std::move(mean));
+  return data;
+}
+
+lostopos::SurfaceData SceneMotion::record() const {
+  lostopos::SurfaceData data = lostopos::from_mesh(mesh());
+  lostopos::PairArray circulation{lostopos::rec_pair_array, {0}, {}};
+  std::uint32_t number = 0;
+  for (lostopos::Vertex v : mesh().vertices()) {
+    for (const PairCirculation& pair : simulation().circulation().at(v))
+      circulation.values.push_back({pair.pair.low, pair.pair.high, pair.value});
+    circulation.offsets.push_back(circulation.values.size());
+    if (lostopos::is_held(simulation().held()[v.index()])) data.held.push_back({number, mesh().position(v)});
+    ++number;
+  }
+  data.pair_arrays.push_back(std::move(circulation));
   return data;
 }
 

@@ -25,6 +25,8 @@ class SceneMotion final : public SimulationMotion {
   std::vector<lostopos::run::Table> tables() const override;
   /// With the circulation at the triangles' corners, averaged.
   lostopos::SurfaceData picture() const override;
+  /// With the circulation and what is held.
+  lostopos::SurfaceData record() const override;
   bool resumable() const override { return true; }
   void save(nlohmann::json& checkpoint) const override;
 

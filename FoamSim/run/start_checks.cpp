@@ -6,6 +6,8 @@
 
 #include "Base/error.h"
 #include "Base/options/option_value.h"
+#include "LosTopos/io/mesh_file.h"
+#include "LosTopos/io/tidy_surface.h"
 #include "LosTopos/mesh/audit.h"
 
 namespace foamsim {
@@ -37,6 +39,13 @@ void look_for_open_edges(const Scene& scene, const Simulation& simulation, std::
                     " open edges; films are held there, as at a frame, and regions that end there have no volume");
 }
 
+// What reading the file has mended.
+void look_at_file(const Scene& scene, std::vector<std::string>& notes) {
+  if (scene.mesh_file.empty()) return;
+  lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
+  for (std::string& note : lostopos::tidy_surface(data)) notes.push_back(std::move(note));
+}
+
 void require_carried(const Scene& scene, const Simulation& simulation, const StartOfRun& start,
                      std::vector<std::string>& notes) {
   if (!simulation.options().tracker.remeshing) return;
@@ -63,6 +72,7 @@ std::vector<std::string> check_start(const Scene& scene, const Simulation& simul
   std::vector<std::string> notes;
   if (scene.mesh_file.empty())
     if (const auto& of_scene = scene.catalogue->scenes.find(scene.name).notes) notes = of_scene(scene.options);
+  look_at_file(scene, notes);
   audit_surface(simulation, notes);
   look_for_open_edges(scene, simulation, notes);
   require_carried(scene, simulation, start, notes);

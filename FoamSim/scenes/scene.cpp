@@ -10,6 +10,8 @@
 #include "FoamSim/scenes/toml_scene.h"
 #include "LosTopos/io/mesh_file.h"
 #include "LosTopos/io/rec.h"
+#include "LosTopos/io/tidy_surface.h"
+#include "LosTopos/mesh/measures.h"
 #include "LosTopos/tracker_options.h"
 
 namespace foamsim {
@@ -32,6 +34,8 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       step_length(),
       base::non_negative_number("time", 4, "simulated time, T"),
       base::non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
+      base::word_from("resolution_mean", std::string("edges"), "what a resolution of 0 is the mean of", "mean",
+                      {"edges", "triangle-sides"}),
       base::non_negative_number("delta", 0, "regularisation, L; 0: 0.75 resolution, 0.5 for conservative"),
       name_of("dynamics", std::string("vortex-sheet"), "how films move", catalogue.dynamics),
       name_of("integrator", std::string("euler"), "how positions are advanced", catalogue.integrators),
@@ -45,6 +49,8 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
       base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
       base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
+      base::whole_number("rec_every", 0, 0, "steps between .rec meshes for the reference program; 0: none"),
+      base::whole_number("obj_every", 0, 0, "steps between .obj meshes with normals; 0: none"),
       base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
       base::whole_number("seed", 0, 0, "seed of everything random"),
   };
@@ -126,6 +132,7 @@ StartSurface start_surface(const Scene& scene) {
   const std::string file = start_file(scene);
   if (file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(file);
+  lostopos::tidy_surface(data);
   StartSurface start{lostopos::to_mesh(data)};
   if (const auto* circulation = find_pair_array(data, lostopos::rec_pair_array)) start.circulation = *circulation;
   for (const lostopos::HeldVertex& held : data.held) {
@@ -140,6 +147,13 @@ StartSurface start_surface(const Scene& scene) {
   else
     mark_solids(start.mesh, start.held);
   return start;
+}
+
+// Of all triangles' three sides, L: an inner edge counts twice, a Plateau border three times.
+double mean_side_length(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (Edge e : mesh.edges()) sum += lostopos::length(mesh, e) * static_cast<double>(mesh.triangles(e).size());
+  return sum / std::max(1.0, 3 * static_cast<double>(mesh.triangle_count()));
 }
 
 void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simulation& simulation) {
@@ -338,7 +352,10 @@ Simulation make_simulation(const Scene& scene) {
   validate(scene);
   StartSurface start = start_surface(scene);
   hold_free_edges(start);
-  const double resolution = resolved_resolution(simulation_options(scene.options), start.mesh);
+  SimulationOptions options = simulation_options(scene.options);
+  if (options.resolution == 0 && scene.options.word("resolution_mean") == "triangle-sides")
+    options.resolution = mean_side_length(start.mesh);
+  const double resolution = resolved_resolution(options, start.mesh);
   Simulation simulation = make_simulation(scene, std::move(start.mesh), resolution, start.held);
   set_start_motion(scene, start.circulation, simulation);
   return simulation;

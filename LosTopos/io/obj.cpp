@@ -1,5 +1,6 @@
 #include "LosTopos/io/obj.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 
@@ -120,23 +121,29 @@ void append_integer(std::string& text, std::uint32_t value) {
   base::append_number(text, static_cast<std::int64_t>(value));
 }
 
-}  // namespace
-
-SurfaceData read_obj(const std::filesystem::path& path) {
-  return ObjReader(path).read();
+// "v 1 0 0"
+std::string line_of(const char* keyword, const Vec3& numbers) {
+  std::string line = keyword;
+  for (int i = 0; i < 3; ++i) base::append_number(line += ' ', numbers[i]);
+  return line += '\n';
 }
 
-void write_obj(const std::filesystem::path& path, const SurfaceData& data) {
-  validate(data);
-  base::AtomicFile file(path);
-  file.stream() << "# group region_P_Q: the faces' right-hand normals point out of region P into region Q; 0 is the "
-                   "open air\n";
-  std::string line;
-  for (const Vec3& position : data.positions) {
-    line.assign(1, 'v');
-    for (int i = 0; i < 3; ++i) base::append_number(line += ' ', position[i]);
-    file.stream() << (line += '\n');
+// Of every vertex, of unit length; zero where its triangles' cancel.
+std::vector<Vec3> normals_of(const SurfaceData& data) {
+  std::vector<Vec3> normals(data.positions.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < data.triangles.size(); ++t) {
+    const auto& [a, b, c] = data.triangles[t];
+    const Vec3& x = data.positions[a];
+    const Vec3 across = (data.positions[b] - x).cross(data.positions[c] - x);
+    const double side = data.labels[t].q < data.labels[t].p ? 1 : -1;
+    for (const std::uint32_t corner : data.triangles[t]) normals[corner] += side * across;
   }
+  for (Vec3& normal : normals) normal = normal.normalized();
+  return normals;
+}
+
+void write_faces(std::ostream& out, const SurfaceData& data, ObjNormals normals) {
+  std::string line;
   for (std::size_t t = 0; t < data.triangles.size(); ++t) {
     const Labels labels = data.labels[t];
     line.clear();
@@ -146,10 +153,34 @@ void write_obj(const std::filesystem::path& path, const SurfaceData& data) {
       line += '\n';
     }
     line += 'f';
-    for (const std::uint32_t corner : data.triangles[t]) append_integer(line += ' ', corner + 1);
-    file.stream() << (line += '\n');
+    for (const std::uint32_t corner : data.triangles[t]) {
+      append_integer(line += ' ', corner + 1);
+      if (normals == ObjNormals::with) append_integer(line += "//", corner + 1);
+    }
+    out << (line += '\n');
   }
+}
+
+}  // namespace
+
+SurfaceData read_obj(const std::filesystem::path& path) {
+  return ObjReader(path).read();
+}
+
+void write_obj(const std::filesystem::path& path, const SurfaceData& data, ObjNormals normals) {
+  validate(data);
+  base::AtomicFile file(path);
+  file.stream() << "# group region_P_Q: the faces' right-hand normals point out of region P into region Q; 0 is the "
+                   "open air\n";
+  for (const Vec3& position : data.positions) file.stream() << line_of("v", position);
+  if (normals == ObjNormals::with)
+    for (const Vec3& normal : normals_of(data)) file.stream() << line_of("vn", normal);
+  write_faces(file.stream(), data, normals);
   file.commit();
+}
+
+void write_obj(const std::filesystem::path& path, const SurfaceData& data) {
+  write_obj(path, data, ObjNormals::without);
 }
 
 }  // namespace lostopos

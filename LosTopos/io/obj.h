@@ -16,9 +16,15 @@ namespace lostopos {
 /// read.
 SurfaceData read_obj(const std::filesystem::path& path);
 
+enum class ObjNormals { without, with };
+
 /// Writes OBJ with one `g region_P_Q` line before each run of triangles that have the same labels, so that the order of
-/// triangles is kept; the numbers read back as the same bits. Throws InputError when the data is not valid (nothing is
-/// written then), FileError when it cannot be written.
+/// triangles is kept; the numbers read back as the same bits. With normals each vertex has the mean of those of its
+/// triangles, by their area, each out of the higher region into the lower. Throws InputError when the data is not valid
+/// (nothing is written then), FileError when it cannot be written.
+/// @{
+void write_obj(const std::filesystem::path& path, const SurfaceData& data, ObjNormals normals);
 void write_obj(const std::filesystem::path& path, const SurfaceData& data);
+/// @}
 
 }  // namespace lostopos

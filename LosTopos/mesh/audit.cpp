@@ -9,6 +9,7 @@
 #include "LosTopos/geometry/predicates.h"
 #include "LosTopos/mesh/audit_intersections.h"
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/mesh/region_lines.h"
 
 namespace lostopos {
 namespace {
@@ -25,7 +26,9 @@ class Auditor {
     if (report_.has(Defect::broken_incidence) || report_.has(Defect::not_finite)) return std::move(report_);
     check_duplicates();
     for (Edge e : mesh_.edges()) check_regions_around(e);
-    if (options_.intersections && !full()) check_intersections();
+    if (!options_.intersections) return std::move(report_);
+    if (!full()) check_intersections();
+    if (!ends_in_the_open_ && labels_make_sense()) check_insides();
     return std::move(report_);
   }
 
@@ -131,8 +134,12 @@ class Auditor {
   void check_regions_around(Edge e) {
     const auto around = mesh_.triangles(e);
     const auto [a, b] = mesh_.vertices(e);
+    const Vec3 outward =
+        options_.walls ? outward_of_shared_walls(*options_.walls, mesh_.position(a), mesh_.position(b)) : Vec3::Zero();
     if (around.size() == 1) {
-      if (options_.closed_regions)
+      const bool at_wall = !outward.isZero(0);
+      (at_wall ? ends_at_walls_ : ends_in_the_open_) = true;
+      if (options_.closed_regions && !at_wall)
         find(Defect::open_region, "the surface ends at edge ", e.index(), " (", at(a), ", ", at(b), ")");
       return;
     }
@@ -149,13 +156,23 @@ class Auditor {
       films.push_back({std::atan2(arm.dot(w), arm.dot(u)), labels.p, labels.q});
     }
     std::ranges::sort(films, {}, &Film::angle);
+    // Nothing is known of what lies beyond a wall.
+    const auto beyond = outward.isZero(0) ? std::nullopt : std::optional(std::atan2(outward.dot(w), outward.dot(u)));
     for (std::size_t i = 0; i < films.size(); ++i) {
       const Film& film = films[i];
       const Film& next = films[(i + 1) % films.size()];
-      if (film.after != next.before && !nearly_same_direction(films, i))
+      if (film.after != next.before && !nearly_same_direction(films, i) && !lies_between(films, i, beyond))
         find(Defect::inconsistent_labels, "around edge ", e.index(), " (", at(a), ", ", at(b), ") region ",
              film.after.index(), " meets region ", next.before.index(), " with no film between them");
     }
+  }
+
+  // Whether a direction lies between film i and the next.
+  template <class Films>
+  static bool lies_between(const Films& films, std::size_t i, std::optional<double> direction) {
+    if (!direction) return false;
+    const double from = films[i].angle, to = films[(i + 1) % films.size()].angle;
+    return from < to ? from < *direction && *direction < to : *direction > from || *direction < to;
   }
 
   // Films whose directions rounding cannot tell apart may be sorted either way; the intersection test judges them.
@@ -165,6 +182,18 @@ class Auditor {
     const std::size_t n = films.size();
     auto gap = [&](std::size_t k) { return std::abs(films[(k + 1) % n].angle - films[k % n].angle); };
     return gap(i + n - 1) < resolution || gap(i) < resolution || gap(i + 1) < resolution;
+  }
+
+  bool labels_make_sense() const {
+    return std::ranges::none_of(
+        std::array{Defect::bad_labels, Defect::duplicate_triangle, Defect::inconsistent_labels, Defect::intersection},
+        [this](Defect defect) { return report_.has(defect); });
+  }
+
+  // What the edges cannot tell: they agree on a bubble that is turned inside out.
+  void check_insides() {
+    for (const std::string& message : contradictions_on_lines(mesh_, !ends_at_walls_, options_.max_findings))
+      find(Defect::inside_out, message);
   }
 
   void check_intersections() {
@@ -189,6 +218,7 @@ class Auditor {
   const SurfaceMesh& mesh_;
   const AuditOptions& options_;
   AuditReport report_;
+  bool ends_at_walls_ = false, ends_in_the_open_ = false;
 };
 
 }  // namespace
@@ -211,6 +241,8 @@ const char* name(Defect defect) {
       return "open region";
     case Defect::inconsistent_labels:
       return "inconsistent labels";
+    case Defect::inside_out:
+      return "inside out";
     case Defect::intersection:
       return "intersection";
   }

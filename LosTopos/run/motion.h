@@ -41,6 +41,8 @@ class Motion {
   virtual std::vector<Table> tables() const { return {}; }
   /// The surface with its arrays, for vtp files.
   virtual SurfaceData picture() const { return from_mesh(mesh()); }
+  /// The surface as a .rec file holds it: with circulation and what is held, where there are such.
+  virtual SurfaceData record() const { return from_mesh(mesh()); }
   /// Whether it can be taken up again from a checkpoint.
   virtual bool resumable() const { return false; }
   /// Puts what it needs to go on as if it had not stopped, to the bit, into an empty object.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "LosTopos/io/rec.h"
 #include "LosTopos/run/checkpoint.h"
 #include "LosTopos/run/motion.h"
 
@@ -30,6 +31,11 @@ struct Output {
   long frame_every = 0;       ///< steps between frames; 0: the first and the last only
   long checkpoint_every = 0;  ///< steps between checkpoints; 0: at the end only
   bool vtp = false;           ///< also write .vtp frames and surface.pvd
+  /// Steps between the meshes that the reference programs write, from the start on, under the names that they have
+  /// there: rec/mesh000000.rec, obj/mesh000000.obj (with normals), ...; 0: none.
+  long rec_every = 0, obj_every = 0;
+  long reference_frames = 1;                      ///< that one step is there, by which these files are numbered
+  RecFlavour rec_flavour = RecFlavour::SoapFilm;  ///< of the .rec files
   CheckpointFormat checkpoint;
   std::function<void(nlohmann::ordered_json& run)> describe = {};  ///< how run.json begins
 };

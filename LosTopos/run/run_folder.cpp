@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array run_files{"run.json",   "metrics.csv",     "volumes.csv",
                                "events.csv", "checkpoint.cbor", "surface.pvd"};
-constexpr std::array run_folders{"frames", "vtp"};
+constexpr std::array run_folders{"frames", "vtp", "rec", "obj"};
 
 bool holds_a_run(const fs::path& path) {
   for (const char* file : run_files)
@@ -38,9 +38,9 @@ fs::path topmost_missing(const fs::path& path) {
   return missing;
 }
 
-fs::path numbered(const fs::path& folder, long step, const char* extension) {
+fs::path numbered(const fs::path& folder, const char* what, long step, const char* extension) {
   char name[40];
-  std::snprintf(name, sizeof(name), "frame_%06ld.%s", step, extension);
+  std::snprintf(name, sizeof(name), "%s%06ld.%s", what, step, extension);
   return folder / name;
 }
 
@@ -88,10 +88,16 @@ RunFolder RunFolder::open(const fs::path& path) {
 }
 
 fs::path RunFolder::frame(long step) const {
-  return numbered(path_ / "frames", step, "ply");
+  return numbered(path_ / "frames", "frame_", step, "ply");
 }
 fs::path RunFolder::vtp(long step) const {
-  return numbered(path_ / "vtp", step, "vtp");
+  return numbered(path_ / "vtp", "frame_", step, "vtp");
+}
+fs::path RunFolder::rec(long frame) const {
+  return numbered(path_ / "rec", "mesh", frame, "rec");
+}
+fs::path RunFolder::obj(long frame) const {
+  return numbered(path_ / "obj", "mesh", frame, "obj");
 }
 
 void RunFolder::discard() const {

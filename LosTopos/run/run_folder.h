@@ -19,6 +19,9 @@ class RunFolder {
   std::filesystem::path pvd() const { return path_ / "surface.pvd"; }
   std::filesystem::path frame(long step) const;
   std::filesystem::path vtp(long step) const;
+  /// Meshes for the reference programs, under their names.
+  std::filesystem::path rec(long frame) const;
+  std::filesystem::path obj(long frame) const;
 
   /// Removes what `create` made: for a run that failed before it began.
   void discard() const;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/vtp.h"
 #include "LosTopos/run/run_json.h"
@@ -47,12 +48,15 @@ void RunWriter::begin() {
     tables_.push_back({std::move(table), std::move(open)});
   }
   if (output_.vtp) std::filesystem::create_directories(folder_.path() / "vtp");
+  if (output_.rec_every > 0) std::filesystem::create_directories(folder_.path() / "rec");
+  if (output_.obj_every > 0) std::filesystem::create_directories(folder_.path() / "obj");
   if (output_.go_on) {
     pvd_ = PvdWriter(folder_.pvd(), frames_until(folder_.pvd(), motion_.time()));
     if (std::filesystem::exists(folder_.frame(step))) last_frame_ = folder_.frame(step);
   } else if (step == 0) {
     write_rows();
     write_frame();
+    write_reference_meshes();
   }
   Outcome so_far;
   so_far.first_step = step;
@@ -63,6 +67,7 @@ void RunWriter::begin() {
 void RunWriter::write_step() {
   write_rows();
   if (due(motion_.steps(), output_.frame_every)) write_frame();
+  write_reference_meshes();
   if (due(motion_.steps(), output_.checkpoint_every)) write_checkpoint();
 }
 
@@ -88,6 +93,13 @@ void RunWriter::write_frame() {
   const auto vtp = folder_.vtp(motion_.steps());
   write_vtp(vtp, motion_.picture());
   pvd_.add(motion_.time(), vtp.lexically_relative(folder_.path()).string());
+}
+
+void RunWriter::write_reference_meshes() {
+  const long frame = motion_.steps() * output_.reference_frames;
+  if (due(motion_.steps(), output_.rec_every)) write_rec(folder_.rec(frame), motion_.record(), output_.rec_flavour);
+  if (due(motion_.steps(), output_.obj_every))
+    write_obj(folder_.obj(frame), from_mesh(motion_.mesh()), ObjNormals::with);
 }
 
 void RunWriter::write_checkpoint() {

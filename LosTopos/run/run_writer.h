@@ -37,6 +37,7 @@ class RunWriter {
   void begin();
   void write_rows();
   void write_frame();
+  void write_reference_meshes();
   void write_checkpoint();
 
   const Motion& motion_;

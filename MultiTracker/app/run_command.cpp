@@ -10,8 +10,10 @@
 #include "Base/console/thread_limit.h"
 #include "Base/error.h"
 #include "LosTopos/io/mesh_file.h"
+#include "LosTopos/io/tidy_surface.h"
 #include "MultiTracker/app/commands.h"
 #include "MultiTracker/run/run.h"
+#include "MultiTracker/scenes/reference_options.h"
 
 namespace multitracker::app {
 namespace {
@@ -24,12 +26,10 @@ struct Arguments {
   bool quiet = false, audit = false, force = false;
 };
 
-base::OptionSet options_from(const Arguments& arguments, const SceneEntry& scene) {
-  base::OptionSet options = options_of(scene);
+void set_options(const Arguments& arguments, base::OptionSet& options) {
   for (const std::string& assignment : arguments.assignments) options.set_assignment(assignment, "--set");
   if (arguments.steps) options.set("steps", *arguments.steps, "--steps");
   if (arguments.seed) options.set("seed", *arguments.seed, "--seed");
-  return options;
 }
 
 void print_summary(const RunOutcome& outcome, const RunSettings& settings) {
@@ -52,11 +52,28 @@ int exit_code_of(RunEnd end) {
   return end == RunEnd::failed ? exit_cannot_go_on : exit_done;
 }
 
-Origin origin_of(const Arguments& arguments) {
+lostopos::SurfaceMesh given_surface(const std::string& file, std::vector<std::string>& notes) {
+  lostopos::SurfaceData data = lostopos::read_surface(file);
+  for (const std::string& note : lostopos::tidy_surface(data)) notes.push_back(file + ": " + note);
+  return lostopos::to_mesh(data);
+}
+
+// A scene by its name, or by an option file of the reference tracker.
+ReferenceScene scene_of(const Arguments& arguments) {
   if (arguments.scene.empty()) throw base::InputError("run needs a scene (see 'multitracker scenes') or --resume FILE");
+  if (std::filesystem::path(arguments.scene).extension() == ".txt") return read_reference_options(arguments.scene);
   const SceneEntry& scene = scene_by_name(arguments.scene);
-  Origin origin{.scene = &scene, .options = options_from(arguments, scene), .mesh_file = arguments.mesh};
-  if (!arguments.mesh.empty()) origin.given = lostopos::to_mesh(lostopos::read_surface(arguments.mesh)).state();
+  return {&scene, options_of(scene), {}, {}};
+}
+
+Origin origin_of(const Arguments& arguments, const Program& program) {
+  ReferenceScene read = scene_of(arguments);
+  set_options(arguments, read.options);
+  if (!arguments.mesh.empty()) read.mesh_file = arguments.mesh;
+  Origin origin{.scene = read.scene, .options = std::move(read.options), .mesh_file = read.mesh_file};
+  if (!read.mesh_file.empty()) origin.given = given_surface(read.mesh_file, read.notes).state();
+  for (const std::string& note : read.notes)
+    if (!arguments.quiet) base::print_warning(program.name, note);
   return origin;
 }
 
@@ -103,7 +120,7 @@ int run_scene(const Arguments& arguments, const Program& program) {
   const base::ThreadLimit limit(arguments.threads);
   const bool resuming = !arguments.resume.empty();
   const auto tracking = resuming ? std::make_unique<Tracking>(checkpoint_of(arguments))
-                                 : std::make_unique<Tracking>(origin_of(arguments));
+                                 : std::make_unique<Tracking>(origin_of(arguments, program));
   const RunSettings settings = settings_of(arguments, program);
   const long last_step = arguments.steps.value_or(tracking->origin().options.whole("steps"));
   if (last_step < 0) throw base::InputError("--steps has to be a whole number >= 0");
@@ -141,7 +158,9 @@ void add_run_command(base::Command& root, const Program& program) {
   auto a = std::make_shared<Arguments>();
   command.add({.name = "scene",
                .target = &a->scene,
-               .help = "see 'multitracker scenes', which also lists the keys of --set",
+               .help =
+                   "a name (see 'multitracker scenes', which also lists the keys of --set), or an option file of the "
+                   "reference tracker (.txt)",
                .names = scene_names()});
   command.add({.name = "--resume",
                .target = &a->resume,

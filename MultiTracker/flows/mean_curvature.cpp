@@ -27,27 +27,23 @@ struct Motion {
   double largest = 0;    // displacement in a substep
 };
 
-double cotangent(const Vec3& u, const Vec3& v) {
-  const double dot = u.dot(v), cross = u.cross(v).norm();
-  return dot / std::max(cross, least_sine * u.norm() * v.norm());
-}
-
 Motion motion_of(const lostopos::SurfaceMesh& mesh, const std::vector<Vec3>& x, Vertex v) {
   Vec3 gradient = Vec3::Zero();
   double weights = 0, area = 0, height = std::numeric_limits<double>::infinity();
   for (lostopos::Triangle t : mesh.triangles(v)) {
     const auto& corners = mesh.vertices(t);
     const auto i = static_cast<std::size_t>(std::ranges::find(corners, v) - corners.begin());
-    const Vec3 &a = x[v.index()], &b = x[corners[(i + 1) % 3].index()], &c = x[corners[(i + 2) % 3].index()];
-    const double at_b = cotangent(a - b, c - b) / 2, at_c = cotangent(a - c, b - c) / 2;
+    const Vec3& a = x[v.index()];
+    const Vec3 ab = x[corners[(i + 1) % 3].index()] - a, ac = x[corners[(i + 2) % 3].index()] - a, bc = ac - ab;
+    const double twice_area = ab.cross(ac).norm(), b = ab.norm(), c = ac.norm(), across = bc.norm();
+    // Half the cotangents at b and c.
+    const double at_b = -ab.dot(bc) / (2 * std::max(twice_area, least_sine * b * across));
+    const double at_c = ac.dot(bc) / (2 * std::max(twice_area, least_sine * c * across));
     if (!std::isfinite(at_b) || !std::isfinite(at_c)) continue;  // two corners in one place
-    gradient += at_c * (a - b) + at_b * (a - c);
+    gradient -= at_c * ab + at_b * ac;
     weights += std::abs(at_b) + std::abs(at_c);
-    const double twice_area = (b - a).cross(c - a).norm();
     area += twice_area / 2;
-    height = std::min(
-        height,
-        twice_area / std::sqrt(std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()})));
+    height = std::min(height, twice_area / std::max({b, c, across}));
   }
   if (!(area > 0 && weights > 0)) return {};
   return {-3 / area * gradient, area / (3 * weights), largest_share * height};

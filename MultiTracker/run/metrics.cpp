@@ -44,7 +44,7 @@ std::vector<RegionState> region_states(const SurfaceMesh& mesh) {
     pairs.insert({q, p});
   }
   std::vector<RegionState> states;
-  for (const auto& [region, volume] : lostopos::region_volumes(mesh)) {
+  for (const auto& [region, volume] : lostopos::closed_region_volumes(mesh)) {
     if (region == lostopos::air) continue;
     RegionState state{region, volume};
     for (auto it = pairs.lower_bound({region, Region(0)}); it != pairs.end() && it->first == region; ++it) {

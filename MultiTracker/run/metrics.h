@@ -33,7 +33,7 @@ struct RegionState {
   std::size_t faces = 0;  ///< other regions but the air that it has a film with
   bool touches_air = false;
 };
-/// Of all regions but the air, ascending.
+/// Of all regions with a closed boundary but the air, ascending.
 std::vector<RegionState> region_states(const lostopos::SurfaceMesh& mesh);
 
 }  // namespace multitracker

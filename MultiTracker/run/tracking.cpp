@@ -37,8 +37,10 @@ Tracking::Tracking(Origin origin) : Tracking(std::move(origin), start_surface(or
 Tracking::Tracking(Origin&& origin, SurfaceMesh surface)
     : origin_(std::move(origin)),
       drive_(origin_.scene->drive(origin_.options, surface)),
-      tracker_(start_tracker(*origin_.scene, origin_.options, std::move(surface))) {
-  if (origin_.scene->closed) start_volumes_ = lostopos::region_volumes(mesh());
+      walls_(walls_of(*origin_.scene, surface, origin_.given.has_value())),
+      ends_at_walls_(walls_ && lostopos::ends_at_walls(surface, *walls_)),
+      tracker_(start_tracker(*origin_.scene, origin_.options, std::move(surface), walls_)) {
+  if (origin_.scene->closed && !ends_at_walls_) start_volumes_ = lostopos::region_volumes(mesh());
   start_ = metrics_ = measure(mesh(), {}, start_volumes_);
 }
 
@@ -48,20 +50,21 @@ Tracking::Tracking(Checkpoint checkpoint) : Tracking(std::move(checkpoint.origin
   start_ = checkpoint.start;
   metrics_ = measure(mesh(), {}, start_volumes_);
   metrics_.step = checkpoint.step;
-  metrics_.time = static_cast<double>(checkpoint.step) * drive_.dt;
+  metrics_.time = drive_.dt.time_of(checkpoint.step);
 }
 
 void Tracking::step() {
   const base::Stopwatch watch;
-  const auto now = [this] { return FlowStep{mesh(), tracker_.held().slots(), metrics_.time, drive_.dt}; };
+  const auto now = [this] { return FlowStep{mesh(), tracker_.held().slots(), metrics_.time, dt()}; };
   const auto predicted = drive_.flow->predicted(now());
   const double flow_seconds = watch.seconds();
   lostopos::TrackerStep done =
       tracker_.step(predicted, [&](lostopos::Vertex v) { return drive_.flow->still_moves(now(), v); });
+  if (ends_at_walls_) keep_to_walls(*origin_.scene, *walls_, tracker_);
   const long step = metrics_.step + 1;
   metrics_ = measure(mesh(), done, start_volumes_);
   metrics_.step = step;
-  metrics_.time = static_cast<double>(step) * drive_.dt;
+  metrics_.time = drive_.dt.time_of(step);
   metrics_.flow_seconds = flow_seconds;
   work_ = {{}, done.move.statistics, std::move(done.topology), done.remesh};
   work_.times.add("flow", flow_seconds);
@@ -86,7 +89,9 @@ void Tracking::save(nlohmann::json& checkpoint) const {
 }
 
 lostopos::AuditReport Tracking::audit() const {
-  return lostopos::audit(mesh(), {.closed_regions = origin_.scene->closed});
+  lostopos::AuditOptions options{.closed_regions = origin_.scene->closed};
+  if (ends_at_walls_) options.walls = walls_;
+  return lostopos::audit(mesh(), options);
 }
 
 }  // namespace multitracker

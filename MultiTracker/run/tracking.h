@@ -35,8 +35,8 @@ class Tracking final : public lostopos::run::Motion {
   const Metrics& metrics() const { return metrics_; }
   const Metrics& start() const { return start_; }
   const Origin& origin() const { return origin_; }
-  double dt() const { return drive_.dt; }
-  /// With open ends allowed where the scene has them.
+  double dt() const { return drive_.dt.of_step(metrics_.step); }  ///< of the next step, T
+  /// With open ends allowed where the scene has them, or at the walls.
   lostopos::AuditReport audit() const;
 
  private:
@@ -44,6 +44,8 @@ class Tracking final : public lostopos::run::Motion {
 
   Origin origin_;
   Drive drive_;
+  std::optional<lostopos::BoxWalls> walls_;
+  bool ends_at_walls_;
   lostopos::SurfaceTracker tracker_;
   std::vector<lostopos::RegionVolume> start_volumes_;
   lostopos::run::StepWork work_;

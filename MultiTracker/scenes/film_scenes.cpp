@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "LosTopos/mesh/box_walls.h"
 #include "LosTopos/shapes/voronoi_foam.h"
+#include "MultiTracker/flows/area_gradient.h"
 #include "MultiTracker/flows/mean_curvature.h"
 #include "MultiTracker/flows/pulled_apart.h"
 #include "MultiTracker/scenes/scene_lists.h"
@@ -34,8 +34,28 @@ std::vector<SceneEntry::Default> under_tension(long steps) {
           {"topology.separation", std::string("area")}};
 }
 
-Drive mean_curvature(const base::OptionSet& options, const SurfaceMesh&) {
-  return {std::make_unique<MeanCurvatureFlow>(), options.number("dt")};
+constexpr const char* by_curvature = "curvature";
+constexpr const char* by_area_gradient = "area-gradient";
+
+std::vector<SceneEntry::Default> and_more(std::vector<SceneEntry::Default> defaults,
+                                          const std::vector<SceneEntry::Default>& more) {
+  defaults.insert(defaults.end(), more.begin(), more.end());
+  return defaults;
+}
+
+base::OptionSpec flow() {
+  return base::word_from("flow", std::string(by_curvature),
+                         "what moves films: mean curvature, or the gradient of the area (not over a vertex' area)",
+                         "flow", {by_curvature, by_area_gradient});
+}
+
+std::unique_ptr<SurfaceFlow> tension_of(const base::OptionSet& options) {
+  if (options.word("flow") == by_area_gradient) return std::make_unique<AreaGradientFlow>();
+  return std::make_unique<MeanCurvatureFlow>();
+}
+
+Drive under_tension_flow(const base::OptionSet& options, const SurfaceMesh&) {
+  return {tension_of(options), options.number("dt")};
 }
 
 void hold_air_side(const base::OptionSet&, SurfaceTracker& tracker) {
@@ -45,23 +65,25 @@ void hold_air_side(const base::OptionSet&, SurfaceTracker& tracker) {
 }
 
 SceneEntry t1() {
-  return {"T1",
-          "two junction lines come together and part the other way",
-          {subdivisions(2), time_step(0.002), base::whole_number("layers", 2, 1, "rows of films along the lines"),
-           base::non_negative_number("gap", 0.12, "between the two lines; 0: four films meet in one line")},
-          under_tension(60),
-          [](const base::OptionSet& options) {
-            if (options.number("gap") > 0.9 * box_height)
-              throw base::InputError("gap has to be at most " + std::to_string(0.9 * box_height));
-            return four_cells({.size = {box_width, box_height, box_depth},
-                               .gap = options.number("gap"),
-                               .layers = options.whole("layers"),
-                               .subdivisions = options.whole("subdivisions")});
-          },
-          mean_curvature,
-          [](const base::OptionSet&, SurfaceTracker& tracker) {
-            hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), {box_width, box_height, box_depth});
-          }};
+  return {
+      "T1",
+      "two junction lines come together and part the other way",
+      {subdivisions(2), time_step(0.002), flow(), base::whole_number("layers", 2, 1, "rows of films along the lines"),
+       base::non_negative_number("gap", 0.12, "between the two lines; 0: four films meet in one line")},
+      under_tension(60),
+      [](const base::OptionSet& options) {
+        if (options.number("gap") > 0.9 * box_height)
+          throw base::InputError("gap has to be at most " + std::to_string(0.9 * box_height));
+        return four_cells({.size = {box_width, box_height, box_depth},
+                           .gap = options.number("gap"),
+                           .layers = options.whole("layers"),
+                           .subdivisions = options.whole("subdivisions")});
+      },
+      under_tension_flow,
+      nullptr,
+      true,
+      AtWalls::slide,
+      {box_width, box_height, box_depth}};
 }
 
 SceneEntry t2() {
@@ -70,14 +92,17 @@ SceneEntry t2() {
       "a small region among four disappears",
       {subdivisions(3),
        time_step(0.002),
+       flow(),
        {"size", 0.1, "of the small region against the whole", "a number in (0, 0.9]",
         [](const base::OptionValue& value) { return std::get<double>(value) > 0 && std::get<double>(value) <= 0.9; }}},
       under_tension(40),
       [](const base::OptionSet& options) {
         return nested_tetrahedra(options.number("size"), options.whole("subdivisions"));
       },
-      mean_curvature,
-      hold_air_side};
+      under_tension_flow,
+      hold_air_side,
+      true,
+      AtWalls::stay};
 }
 
 SceneEntry prism() {
@@ -85,6 +110,7 @@ SceneEntry prism() {
           "films in a triangular prism: the edge in the middle becomes a face, or the face an edge, as the height asks",
           {subdivisions(3),
            time_step(0.002),
+           flow(),
            {"middle", std::string("edge"), "what is in the middle at the start", "edge or face",
             [](const base::OptionValue& value) {
               const auto& word = std::get<std::string>(value);
@@ -103,26 +129,33 @@ SceneEntry prism() {
                                .size = options.number("size"),
                                .subdivisions = options.whole("subdivisions")});
           },
-          mean_curvature,
+          under_tension_flow,
           hold_air_side};
 }
 
 SceneEntry mcf() {
   return {"mcf",
           "a random foam in the unit box that coarsens under mean curvature flow; its ends slide along the walls",
-          {subdivisions(1), time_step(2e-3), base::whole_number("cells", 30, 1, "bubbles at the start"),
+          {subdivisions(1), time_step(2e-3), flow(),
+           base::flag("faster_later", false, "steps are 4 times as long from time 6 on, and 16 times from time 30 on"),
+           base::whole_number("cells", 30, 1, "bubbles at the start"),
            base::whole_number("relaxations", 3, 0, "rounds that make the bubbles more alike")},
-          under_tension(200),
+          // Films that shrink to nothing race: in parts of the usual length a step of a large foam takes half a minute.
+          and_more(under_tension(200), {{"topology.longest_motion", 0.5}}),
           [](const base::OptionSet& options) {
             return lostopos::voronoi_foam({.cells = options.whole("cells"),
                                            .seed = static_cast<std::uint64_t>(options.whole("seed")),
                                            .relaxations = static_cast<int>(options.whole("relaxations")),
                                            .subdivisions = options.whole("subdivisions")});
           },
-          mean_curvature,
-          [](const base::OptionSet&, SurfaceTracker& tracker) {
-            hold_in_box_walls(tracker.mesh(), tracker.held(), Vec3::Zero(), Vec3::Ones());
-          }};
+          [](const base::OptionSet& options, const SurfaceMesh&) -> Drive {
+            StepLengths dt(options.number("dt"));
+            if (options.flag("faster_later")) dt.grow_from(6, 4).grow_from(30, 4);
+            return {tension_of(options), std::move(dt)};
+          },
+          nullptr,
+          true,
+          AtWalls::slide};
 }
 
 SceneEntry catenoid() {

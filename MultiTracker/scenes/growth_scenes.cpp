@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "LosTopos/mesh/box_walls.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/shapes/sphere_layout.h"
@@ -88,11 +90,14 @@ SceneEntry cyclic_flow() {
           [](const base::OptionSet& options) {
             return three_cells(options.whole("layers"), options.whole("subdivisions"));
           },
-          [](const base::OptionSet& options, const SurfaceMesh&) -> Drive {
+          [](const base::OptionSet& options, const SurfaceMesh& start) -> Drive {
+            // A file may count its three regions from 0.
+            const bool from_zero = !std::ranges::binary_search(lostopos::regions(start), Region(3));
+            const Region third(from_zero ? 0 : 3);
             PairSpeeds speeds;
             speeds.set(Region(1), Region(2), options.number("speed_12"));
-            speeds.set(Region(2), Region(3), options.number("speed_23"));
-            speeds.set(Region(3), Region(1), options.number("speed_31"));
+            speeds.set(Region(2), third, options.number("speed_23"));
+            speeds.set(third, Region(1), options.number("speed_31"));
             return {std::make_unique<FaceOffsetFlow>(std::move(speeds)), options.number("dt")};
           },
           [](const base::OptionSet&, lostopos::SurfaceTracker& tracker) {

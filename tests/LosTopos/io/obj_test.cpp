@@ -1,5 +1,6 @@
 #include "LosTopos/io/obj.h"
 
+#include "LosTopos/shapes/solids.h"
 #include "tests/LosTopos/io/io_test_tools.h"
 
 namespace lostopos {
@@ -35,6 +36,29 @@ TEST_F(ObjTest, LabelsAreGroups) {
   write_obj(path("a.obj"), data);
   expect_contains(content_of(path("a.obj")),
                   "v 0 0 0\nv 1 0 0\nv 0 0.5 0\ng region_1_0\nf 1 2 3\nf 1 3 2\ng region_12_3\nf 2 3 1\n");
+}
+
+// Of a ball the normals are the directions from its middle, whichever way its triangles run.
+TEST_F(ObjTest, NormalsPointOutOfTheHigherRegion) {
+  SurfaceData data = from_mesh(icosphere(2));
+  for (std::size_t t = 0; t < data.triangles.size(); t += 2) {
+    std::swap(data.triangles[t][0], data.triangles[t][1]);
+    data.labels[t] = data.labels[t].flipped();
+  }
+  write_obj(path("ball.obj"), data, ObjNormals::with);
+  EXPECT_EQ(read_obj(path("ball.obj")), data);
+  std::istringstream lines(content_of(path("ball.obj")));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("vn ")) continue;
+    std::istringstream numbers(line.substr(3));
+    Vec3 normal;
+    numbers >> normal.x() >> normal.y() >> normal.z();
+    EXPECT_NEAR(normal.norm(), 1, 1e-14);
+    EXPECT_NEAR(normal.dot(data.positions[count].normalized()), 1, 5e-3);
+    ++count;
+  }
+  EXPECT_EQ(count, data.positions.size());
 }
 
 TEST_F(ObjTest, ReadsAllFormsOfCorners) {

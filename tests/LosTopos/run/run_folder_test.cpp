@@ -62,6 +62,26 @@ TEST(RunFolder, HoldsTheFramesTablesAndCheckpointOfARun) {
   EXPECT_EQ(run["last_frame"], "frame_000007.ply");
 }
 
+// Under the names of the reference programs, by their frames: here two a step.
+TEST(RunFolder, HoldsMeshesForTheReferencePrograms) {
+  const ScratchFolder scratch;
+  FakeMotion motion;
+  Output output = output_in(scratch.path() / "run");
+  output.rec_every = 2;
+  output.obj_every = 3;
+  output.reference_frames = 2;
+  run_motion(motion, {.last_step = 5}, output);
+  for (const char* frame : {"000000", "000004", "000008"}) {
+    const SurfaceData read = read_rec(scratch.path() / "run/rec" / ("mesh" + std::string(frame) + ".rec"));
+    EXPECT_EQ(read.positions.at(0).z(), std::stod(frame) / 2);
+    EXPECT_EQ(read.triangles.size(), 1u);
+  }
+  EXPECT_FALSE(fs::exists(scratch.path() / "run/rec/mesh000010.rec"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/obj/mesh000006.obj"));
+  EXPECT_NE(read_file(scratch / "run/obj/mesh000000.obj").find("vn 0 0 1\n"), std::string::npos);
+  EXPECT_NE(read_file(scratch / "run/obj/mesh000000.obj").find("f 1//1 2//2 3//3\n"), std::string::npos);
+}
+
 TEST(RunFolder, SaysThatARunIsRunningWhileItDoes) {
   const ScratchFolder scratch;
   FakeMotion motion;

@@ -1,0 +1,75 @@
+// The reference program's option files, unchanged: 20 steps, or to their end, with a clean audit after each.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "FoamSim/run/scene_motion.h"
+#include "FoamSim/run/start_checks.h"
+#include "LosTopos/io/rec.h"
+#include "LosTopos/mesh/audit.h"
+#include "LosTopos/run/run.h"
+#include "tests/support/scratch_folder.h"
+
+namespace foamsim {
+namespace {
+
+namespace fs = std::filesystem;
+using ::test::ScratchFolder;
+
+// `load` starts from a run's meshes: those of the scene that it names, at rest.
+void make_start(const std::string& scene, const fs::path& folder) {
+  fs::create_directories(folder);
+  const SceneMotion motion(SceneMotion::beginning_of(load_scene(REFERENCE_FILES "/" + scene + ".txt")));
+  lostopos::write_rec(folder / "mesh000000.rec", motion.record());
+}
+
+// A foam is grown first, or 18,000 triangles come from a fine resolution.
+bool is_large(const std::string& name) {
+  return name == "foam" || name == "pullingfoam" || name == "peanutbubble";
+}
+
+std::vector<std::string> names_of_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(REFERENCE_FILES))
+    if (entry.path().extension() == ".txt" && (RUN_LARGE || !is_large(entry.path().stem().string())))
+      names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+class ReferenceFiles : public testing::TestWithParam<std::string> {};
+
+TEST_P(ReferenceFiles, RunUnchanged) {
+  if (GetParam().ends_with("sphere") && GetParam() != "constrainedsphere" &&
+      !built_in_catalogue()->integrators.has("implicit"))
+    GTEST_SKIP() << "the integrator 'implicit' is not there";
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path() / (GetParam() + ".txt");
+  fs::copy_file(REFERENCE_FILES "/" + GetParam() + ".txt", file);
+  if (GetParam().starts_with("load-")) make_start(GetParam().substr(5), scratch.path() / GetParam().substr(5));
+  const Scene scene = load_scene(file.string());
+  SceneMotion motion(SceneMotion::beginning_of(scene));
+  for (const std::string& note : check_start(scene, motion.simulation(), motion.start()))
+    EXPECT_EQ(note.find("not clean"), std::string::npos) << note;
+  const long end = lostopos::run::steps_of(scene.options.number("time"), scene.options.number("dt"));
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const long last = std::min<long>(end, MOST_STEPS);
+  while (motion.steps() < last && seconds() < MOST_SECONDS) {
+    motion.step();
+    const auto report = lostopos::audit(motion.mesh(), {.closed_regions = false});
+    ASSERT_EQ(report.text(), "clean") << "after step " << motion.steps();
+  }
+  EXPECT_TRUE(motion.steps() == last || last > 20);
+  RecordProperty("steps", std::to_string(motion.steps()) + " of " + std::to_string(end));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReferenceFiles, testing::ValuesIn(names_of_files()), [](const auto& info) {
+  std::string name = info.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace foamsim

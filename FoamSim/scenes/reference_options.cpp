@@ -185,9 +185,10 @@ class Reading {
     fs::path folder = values_.text("load-dir");
     const std::string& where = values_.where("load-dir");
     const fs::path beside = fs::path(where.substr(0, where.rfind(':'))).parent_path() / folder;
-    if (!fs::exists(folder) && fs::exists(beside)) folder = beside;
     const bool grows_its_own = options_.has("spheres");
-    if (grows_its_own && !fs::exists(folder / "mesh001000.rec"))
+    const char* mesh = grows_its_own ? "mesh001000.rec" : "mesh000000.rec";
+    if (!fs::exists(folder / mesh) && fs::exists(beside / mesh)) folder = beside;
+    if (grows_its_own && !fs::exists(folder / mesh))
       return note("load-dir", "has no mesh001000.rec in it (" + folder.string() + ")");
     options_.set("load_dir", folder.string(), where);
   }

@@ -221,7 +221,7 @@ TEST(RunCommand, StartsFromAMeshFileAndAReferenceOptionFile) {
   EXPECT_EQ(run["options"]["dt"], 0.02);
   EXPECT_EQ(run["options"]["n"], 24);
   EXPECT_EQ(run["options"]["integrator"], "rk4");
-  EXPECT_EQ(run["options"]["diffusion"], 5.0);
+  EXPECT_EQ(run["options"]["diffusion"], 10.0);
   EXPECT_EQ(run["options"]["topology.enabled"], true);
   EXPECT_EQ(run["options"]["topology.separate"], false);
   EXPECT_EQ(run["options"]["topology.pull_apart"], 0.05);

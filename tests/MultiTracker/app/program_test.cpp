@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "LosTopos/io/mesh_file.h"
 #include "tests/support/run_program.h"
 
 namespace multitracker {
@@ -37,6 +38,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCase{"unknown_rule", "run T1 --set topology.separation=speed", {"topology.separation", "area"}},
                     BadCase{"negative_steps", "run T1 --steps -1", {"--steps", ">= 0"}},
                     BadCase{"negative_seed", "run T1 --seed -1", {"--seed", ">= 0"}},
+                    BadCase{"missing_option_file", "run nowhere.txt", {"nowhere.txt", "no such option file"}},
                     BadCase{"missing_mesh", "run enright --mesh nowhere.ply", {"nowhere.ply"}},
                     BadCase{"unknown_format", "run enright --mesh " MULTITRACKER_PROGRAM, {"known are .ply"}},
                     BadCase{"no_spheres", "study robustness --spheres 0", {"--spheres", ">= 1"}},
@@ -52,6 +54,25 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCase{"mistyped_flag", "run T1 --adit", {"unknown option '--adit'", "did you mean '--audit'"}},
                     BadCase{"many_options", "run T1 --set qqqqqq=1", {"see 'multitracker scenes T1'"}}),
     [](const auto& info) { return info.param.name; });
+
+// A surface that is inside out, with vertices that nothing uses, from an option file with the mesh beside it.
+TEST(OptionFile, RunsWithTheMeshBesideItMendedAndAudited) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "noise.txt") << "scene noise\ntime-step 0.01\nsimulation-time 0.05\noutput-mesh 1\n"
+                                          "output-mesh-every-n-frames 5\nlostopos-allow-topology-changes 0\n";
+  ASSERT_EQ(run_multitracker("run noise --steps 0 --quiet --out " + (scratch / "start")).exit_code, 0);
+  lostopos::SurfaceData data = lostopos::read_surface(scratch / "start/frames/frame_000000.ply");
+  for (lostopos::Labels& labels : data.labels) labels = labels.flipped();
+  data.positions.insert(data.positions.end(), 3, {2, 2, 2});
+  lostopos::write_surface(scratch / "noise.arec", data);
+  const ProgramResult result =
+      run_multitracker("run " + (scratch / "noise.txt") + " --audit --out " + (scratch / "run"));
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(result.error.find("3 vertices that no triangle uses are dropped"), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("inside out"), std::string::npos) << result.error;
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/rec/mesh000000.rec"));
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/rec/mesh000005.rec"));
+}
 
 TEST(BadInput, AFullFolderIsKeptUnlessForced) {
   const ScratchFolder scratch;

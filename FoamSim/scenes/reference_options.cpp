@@ -114,9 +114,11 @@ class Reading {
     have("surface_tension", true);
     have("damping", damping != 1);
     have("diffusion", smoothing != 0);
-    options_.set("effects", effects, values_.where("smoothing-coef"));
+    // As defaults: conservative dynamics, where somebody asks for these, leave diffusion out.
+    options_.set_default("effects", effects);
+    if (smoothing < 0) throw base::InputError(values_.where("smoothing-coef") + ": smoothing-coef has to be >= 0");
+    if (smoothing != 0) options_.set_default("diffusion", 2 * smoothing);
     values_.set_as_it_is("sigma", "sigma", options_);
-    if (smoothing != 0) values_.set("smoothing-coef", "diffusion", 2 * smoothing, options_);
     if (damping != 1) values_.set("damping-coef", "damping", damping, options_);
   }
 

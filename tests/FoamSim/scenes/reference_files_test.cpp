@@ -6,6 +6,7 @@
 
 #include "FoamSim/run/scene_motion.h"
 #include "FoamSim/run/start_checks.h"
+#include "FoamSim/scenes/reference_options.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/run/run.h"
@@ -38,12 +39,38 @@ std::vector<std::string> names_of_files() {
   return names;
 }
 
-class ReferenceFiles : public testing::TestWithParam<std::string> {};
+class ReferenceFiles : public testing::TestWithParam<std::string> {
+ protected:
+  static bool waits_for_implicit() {
+    return GetParam().ends_with("sphere") && GetParam() != "constrainedsphere" &&
+           !built_in_catalogue()->integrators.has("implicit");
+  }
+};
+
+// Each key that the file names has set something, or is named by a note.
+TEST_P(ReferenceFiles, HaveNoKeyThatIsSilentlyDropped) {
+  const std::string file = REFERENCE_FILES "/" + GetParam() + ".txt";
+  const lostopos::ReferenceValues values(file, reference_keys());
+  if (GetParam().starts_with("load-")) GTEST_SKIP() << "its start is not beside it";
+  if (waits_for_implicit()) GTEST_SKIP() << "the integrator 'implicit' is not there";
+  const Scene scene = load_scene(file);
+  for (const lostopos::ReferenceKey& key : reference_keys()) {
+    if (!values.given(key.name) || key.name == "scene") continue;
+    bool heard = key.name.starts_with("output-") && scene.options.whole("rec_every") == 0;  // off
+    if (key.name == "smoothing-coef")
+      heard = values.number(key.name) == 0 || scene.options.number("diffusion") == 2 * values.number(key.name);
+    if (key.name == "damping-coef") heard = values.number(key.name) == 1;
+    for (const base::OptionSpec& spec : scene.options.specs())
+      heard = heard || (scene.options.is_set(spec.key) &&
+                        (", " + std::string(key.ours) + ",").find(", " + spec.key + ",") != std::string::npos);
+    for (const std::string& note : scene.notes)
+      heard = heard || note.find("'" + std::string(key.name) + "'") != std::string::npos;
+    EXPECT_TRUE(heard) << key.name;
+  }
+}
 
 TEST_P(ReferenceFiles, RunUnchanged) {
-  if (GetParam().ends_with("sphere") && GetParam() != "constrainedsphere" &&
-      !built_in_catalogue()->integrators.has("implicit"))
-    GTEST_SKIP() << "the integrator 'implicit' is not there";
+  if (waits_for_implicit()) GTEST_SKIP() << "the integrator 'implicit' is not there";
   const ScratchFolder scratch;
   const fs::path file = scratch.path() / (GetParam() + ".txt");
   fs::copy_file(REFERENCE_FILES "/" + GetParam() + ".txt", file);

@@ -174,6 +174,16 @@ TEST(ReferenceOptions, IntegratorsAreChosenAndRK4IsExplained) {
   EXPECT_TRUE(has_note(pbd, "no effect without implicit-integration"));
 }
 
+// What the command line sets comes after the file.
+TEST(ReferenceOptions, ConservativeDynamicsLeaveOutTheirDiffusion) {
+  Scene scene = read("scene cube\nmesh-size-n 1\nsmoothing-coef 10\nremeshing-resolution 0\n");
+  scene.options.set_assignment("dynamics=conservative", "--set");
+  EXPECT_NO_THROW(validate(scene));
+  EXPECT_FALSE(contains(effects_of(scene.options), "diffusion"));
+  Simulation simulation = make_simulation(scene);
+  EXPECT_NO_THROW(simulation.step());
+}
+
 TEST(ReferenceOptions, WhatMeansNothingIsSaid) {
   const Scene scene = read("scene cube\nfmmtl 0\ngravity 9.8\nradius 0.003\nfoam-burst-start 3\nload-dir x\n");
   for (const char* text : {":2: 'fmmtl' has no meaning here", ":3: 'gravity' means nothing in the scene cube",
@@ -191,6 +201,8 @@ TEST(ReferenceOptions, BadInputIsALineWithItsPlace) {
   EXPECT_NE(refusal("scene cube\nsigma 1 2\n").find("options.txt:2: one value"), std::string::npos);
   EXPECT_NE(refusal("sigma 1\n").find("needs a line 'scene NAME'"), std::string::npos);
   EXPECT_NE(refusal("scene cube\nremeshing-iterations -1\n").find("options.txt:2"), std::string::npos);
+  EXPECT_NE(refusal("scene cube\nsmoothing-coef -1\n").find("options.txt:2: smoothing-coef has to be >= 0"),
+            std::string::npos);
   EXPECT_NE(refusal("scene cube\nsmoothing-coef much\n").find("options.txt:2: smoothing-coef"), std::string::npos);
 }
 

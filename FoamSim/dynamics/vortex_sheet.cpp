@@ -1,6 +1,7 @@
 #include "FoamSim/dynamics/vortex_sheet.h"
 
 #include "Base/timing/stopwatch.h"
+#include "FoamSim/sheet/area_gradient.h"
 #include "FoamSim/sheet/energy.h"
 #include "FoamSim/sheet/region_constants.h"
 
@@ -54,6 +55,18 @@ void VortexSheet::predict(StepScope& scope, std::vector<Vec3>& predicted) {
                                },
                            .correct = [&](double after, std::span<Vec3> x) { scope.correct_positions(after, x); }};
   integrator_->advance(scope.step().dt, positions, velocities_, motion, predicted);
+  count_wire_work(scope, predicted);
+}
+
+// What moving held vertices does to the films' area: the mean of the forces before and after, times the way.
+void VortexSheet::count_wire_work(StepScope& scope, std::span<const Vec3> predicted) {
+  const HeldMotion held = scope.held_motion();
+  if (held.driven.empty()) return;
+  std::vector<Vec3> forces(predicted.size(), Vec3::Zero());
+  for (std::span<const Vec3> at : {scope.positions(), predicted})
+    add_area_gradient(scope.mesh(), scope.solid(), at, scope.tension(), forces);
+  for (std::size_t v = 0; v < held.driven.size(); ++v)
+    if (held.driven[v] != 0) scope.report().wire_work += forces[v].dot(predicted[v] - scope.positions()[v]) / 2;
 }
 
 std::vector<double> VortexSheet::gather_circulation(StepScope& scope) {

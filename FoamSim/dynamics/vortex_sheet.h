@@ -22,6 +22,7 @@ class VortexSheet final : public Dynamics {
   std::vector<double> gather_circulation(StepScope& scope);
   void change_circulation(StepScope& scope);
   void predict(StepScope& scope, std::vector<lostopos::Vec3>& predicted);
+  static void count_wire_work(StepScope& scope, std::span<const lostopos::Vec3> predicted);
   void measure(StepScope& scope, std::span<const double> before, std::span<const double> after) const;
 
   SheetVelocity velocity_;

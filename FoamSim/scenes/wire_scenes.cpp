@@ -87,7 +87,17 @@ SceneEntry sheet_scene() {
   return {"sheet",
           "a film in an elastic closed wire that hangs from one point",
           {subdivisions(2, "subdivisions of the hexagon (6*4^n triangles)", 1)},
-          wired({"held: still"}, {{"time", 1.0}, {"dt", 0.001}, {"diffusion", 2.0}, {"resolution", 0.25}}),
+          {{"time", 1.0},
+           {"dt", 0.001},
+           {"diffusion", 2.0},
+           {"resolution", 0.25},
+           {"constraints", Words{"rod"}},
+           {"rod_radius", 0.003},
+           {"stretching", 5000.0},
+           {"bending", 150.0},
+           {"gravity", 9.8},
+           {"reference_units", true},
+           {"rod_fixed", std::string("held and z > 0.86 and x > -0.01 and x < 0.01")}},
           [](const OptionSet& options) { return hexagon_sheet(options.whole("n")); }};
 }
 

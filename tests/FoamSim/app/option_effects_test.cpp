@@ -26,8 +26,7 @@ const std::vector<Change>& changes() {
       "quadjunction-frame --set n=2 --set constraints=wire --set 'wires=free-edges: move 0.5 0 0'";
   static const std::string wired_bubbles =
       "doublebubble --set n=16 --set constraints=wire --set 'wires=x < -1: move -0.5 0 0'";
-  static const std::string hung_sheet =
-      "sheet --set constraints=rod --set rod_radius=0.003 --set gravity=9.8 --set 'rod_fixed=z > 0.866'";
+  static const std::string hung_sheet = "sheet --set reference_units=false";
   static const std::vector<Change> all{
       {"n", "doublebubble", "n=17"},
       {"m", "doublebubble", "m=20"},

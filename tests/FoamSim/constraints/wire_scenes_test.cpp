@@ -62,6 +62,24 @@ TEST(WireScenes, TwoRingsPullTheirFilmAsInTheReference) {
   EXPECT_NEAR(volume_of_first(after_20_steps(with_vortices)), 0.75796, 0.005 * 0.758);
 }
 
+// Without diffusion, which takes energy away, and on one mesh.
+TEST(WireScenes, WorkOfTheRingsIsTheEnergyOfTheirFilm) {
+  Scene scene = wired("tworingspinching", "held: pull 0.08");
+  for (const char* plain : {"effects=surface_tension", "remeshing.enabled=false", "topology.enabled=false"})
+    scene.options.set_assignment(plain, "test");
+  Simulation simulation = make_simulation(scene);
+  const double before = simulation.potential_energy();
+  double work = 0, done = 0;
+  StepReport last;
+  for (int i = 0; i < 21; ++i) {
+    done = work;
+    last = simulation.step();
+    work += last.wire_work;
+  }
+  EXPECT_GT(done, 0.3);
+  EXPECT_NEAR(last.potential_energy + last.kinetic_energy - before, done, 0.03 * done);
+}
+
 // A film that goes along with its ring sweeps all of the volume: at the ring itself it has to.
 TEST(WireScenes, AConservativeWandLosesNothing) {
   Scene scene = wired("bubblewand", "held: move -1 0 0");

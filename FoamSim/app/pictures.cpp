@@ -48,6 +48,9 @@ render::Surface read_frame(const fs::path& file) {
   surface.triangles = data.triangles;
   for (const lostopos::Labels& pq : data.labels)
     surface.labels.push_back({static_cast<std::int32_t>(pq.p.index()), static_cast<std::int32_t>(pq.q.index())});
+  for (const lostopos::DataArray& array : data.triangle_arrays)
+    if (array.name == "solid")
+      for (double value : array.values) surface.hidden.push_back(value != 0 ? 1 : 0);
   return surface;
 }
 
@@ -77,6 +80,32 @@ void draw_frames(const std::vector<fs::path>& folders, std::size_t columns, cons
   options.height = 420;
   const auto images = draw_together(surfaces, options, render::FramingOptions().direction);
   render::write_png(render::grid(images, {.columns = static_cast<int>(columns), .gap = 6}), file);
+}
+
+void draw_films(const Simulation& simulation, const std::array<double, 3>& direction, const fs::path& file) {
+  const lostopos::SurfaceMesh& mesh = simulation.mesh();
+  render::Surface films;
+  std::vector<std::uint32_t> number(mesh.vertex_slots(), lostopos::Vertex::invalid_index);
+  for (lostopos::Triangle t : mesh.triangles()) {
+    if (simulation.solid()[t.index()] != 0) continue;
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const lostopos::Vertex v = mesh.vertices(t)[k];
+      if (number[v.index()] == lostopos::Vertex::invalid_index) {
+        number[v.index()] = static_cast<std::uint32_t>(films.positions.size());
+        films.positions.push_back(mesh.position(v));
+      }
+      corners.at(k) = number[v.index()];
+    }
+    films.triangles.push_back(corners);
+    const lostopos::Labels pq = mesh.labels(t);
+    films.labels.push_back({static_cast<std::int32_t>(pq.p.index()), static_cast<std::int32_t>(pq.q.index())});
+  }
+  render::RenderOptions options;
+  options.width = 360;
+  options.height = 270;
+  const Eigen::Vector3d towards_eye(direction[0], direction[1], direction[2]);
+  render::write_png(draw_together({films}, options, towards_eye).front(), file);
 }
 
 bool run_plot_script(const std::string& script, const fs::path& folder) {

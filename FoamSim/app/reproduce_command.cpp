@@ -7,6 +7,7 @@
 #include "FoamSim/app/session.h"
 #include "FoamSim/studies/reproduce/angle_measures.h"
 #include "FoamSim/studies/reproduce/figure1.h"
+#include "FoamSim/studies/reproduce/scene_gallery.h"
 #include "FoamSim/studies/reproduce/stretched_junction.h"
 #include "FoamSim/studies/reproduce/table1.h"
 
@@ -138,6 +139,32 @@ bool figure3(const Arguments& arguments, const Program& program) {
   return true;
 }
 
+// A picture of each scene, and a table of the figures that scenes are known by.
+bool scenes(const Arguments& arguments) {
+  const fs::path folder = fs::path(arguments.out) / "scenes";
+  fs::create_directories(folder);
+  std::vector<GalleryRow> rows;
+  for (const GalleryScene& scene : gallery_scenes()) {
+    Progress progress("scenes: " + scene.scene, arguments.quiet);
+    GalleryHooks hooks;
+    hooks.stepped = [&](const Simulation& s, double fraction) { progress.show(s.steps(), s.time(), fraction); };
+    hooks.interrupted = [] { return InterruptGuard::interrupted(); };
+    hooks.picture = [&](const Simulation& s) { draw_films(s, scene.view, folder / (scene.scene + ".png")); };
+    const std::vector<GalleryRow> of_scene = run_gallery_scene(scene, hooks);
+    progress.clear();
+    if (InterruptGuard::interrupted()) return false;
+    for (const GalleryRow& r : of_scene) {
+      rows.push_back(r);
+      if (!arguments.quiet)
+        std::printf("%-20s %-32s at %-5.3g measured %-10.6g expected %-10.6g (%s) %s, %.1f CPU s\n", r.scene.c_str(),
+                    r.quantity.c_str(), r.time, r.measured, r.expected, r.source.c_str(), r.holds() ? "holds" : "OFF",
+                    r.cpu_seconds);
+    }
+    write_gallery(folder / "scenes.csv", rows);
+  }
+  return true;
+}
+
 int reproduce(const Arguments& arguments, const Program& program) {
   const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
@@ -147,6 +174,7 @@ int reproduce(const Arguments& arguments, const Program& program) {
   if (all || arguments.what == "figure3") whole = whole && figure3(arguments, program);
   if (all || arguments.what == "figure1") whole = whole && figure1(arguments, program);
   if (all || arguments.what == "table1") whole = whole && table1(arguments, program);
+  if (arguments.what == "scenes") whole = scenes(arguments);
   if (!arguments.quiet)
     std::printf("output in %s%s\n", arguments.out.c_str(),
                 whole ? "" : "; interrupted: the same command goes on with what is there");
@@ -158,12 +186,15 @@ int reproduce(const Arguments& arguments, const Program& program) {
 void add_reproduce_command(base::Command& root, const Program& program) {
   base::Command& command = root.add_command("reproduce", "the report's table and figures, beside the published values");
   auto arguments = std::make_shared<Arguments>();
-  command.add({.name = "what",
-               .target = &arguments->what,
-               .help = "table1, figure1, figure3, measures (the angle measures' own error) or all",
-               .required = true,
-               .names = {"table1", "figure1", "figure3", "measures", "all"},
-               .names_only = true});
+  command.add(
+      {.name = "what",
+       .target = &arguments->what,
+       .help =
+           "table1, figure1, figure3, measures (the angle measures' own error), all of these, or scenes (a picture and "
+           "figures of each built-in scene)",
+       .required = true,
+       .names = {"table1", "figure1", "figure3", "measures", "all", "scenes"},
+       .names_only = true});
   command.add({.name = "--quick",
                .target = &arguments->quick,
                .help = "table1 without N = 96: minutes instead of most of an hour"});

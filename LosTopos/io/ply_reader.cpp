@@ -81,6 +81,8 @@ class PlyReader {
     if (region_a.has_value() != region_b.has_value())
       values_.fail(std::string("element 'face' has '") + (region_a ? "region_a" : "region_b") + "' without '" +
                    (region_a ? "region_b" : "region_a") + "'; both or neither would be right");
+    const auto solid = scalar(element, "solid");
+    if (solid) data_.triangle_arrays.push_back({"solid", 1, {}});
     data_.triangles.reserve(element.count);
     data_.labels.reserve(element.count);
     for (std::uint64_t t = 0; t < element.count; ++t) {
@@ -95,6 +97,8 @@ class PlyReader {
           p = values_.next_integer(property.type, "region_a");
         } else if (place == region_b) {
           q = values_.next_integer(property.type, "region_b");
+        } else if (place == solid) {
+          data_.triangle_arrays.back().values.push_back(values_.next(property.type));
         } else {
           values_.skip_property(property);
         }

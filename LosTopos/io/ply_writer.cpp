@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "Base/io/atomic_file.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/ply.h"
@@ -5,7 +7,16 @@
 namespace lostopos {
 namespace {
 
-std::string header(const SurfaceData& data) {
+// Which triangles belong to solids, where any does; else null.
+const DataArray* solids_of(const SurfaceData& data) {
+  for (const DataArray& array : data.triangle_arrays)
+    if (array.name == "solid" && array.components == 1 &&
+        std::ranges::any_of(array.values, [](double value) { return value != 0; }))
+      return &array;
+  return nullptr;
+}
+
+std::string header(const SurfaceData& data, bool with_solids) {
   return "ply\n"
          "format binary_little_endian 1.0\n"
          "comment a face's right-hand normal points out of region_a into region_b; region 0 is the open air\n"
@@ -20,8 +31,8 @@ std::string header(const SurfaceData& data) {
          "\n"
          "property list uchar int vertex_indices\n"
          "property int region_a\n"
-         "property int region_b\n"
-         "end_header\n";
+         "property int region_b\n" +
+         (with_solids ? "property uchar solid\n" : "") + "end_header\n";
 }
 
 }  // namespace
@@ -29,7 +40,8 @@ std::string header(const SurfaceData& data) {
 void write_ply(const std::filesystem::path& path, const SurfaceData& data) {
   validate(data);
   base::AtomicFile file(path);
-  file.stream() << header(data);
+  const DataArray* solids = solids_of(data);
+  file.stream() << header(data, solids != nullptr);
   std::string record;
   for (const Vec3& position : data.positions) {
     record.clear();
@@ -42,6 +54,7 @@ void write_ply(const std::filesystem::path& path, const SurfaceData& data) {
     for (const std::uint32_t corner : data.triangles[t]) append_bytes(record, static_cast<std::int32_t>(corner));
     append_bytes(record, static_cast<std::int32_t>(data.labels[t].p.index()));
     append_bytes(record, static_cast<std::int32_t>(data.labels[t].q.index()));
+    if (solids != nullptr) append_bytes(record, static_cast<std::uint8_t>(solids->values[t] != 0 ? 1 : 0));
     file.stream() << record;
   }
   file.commit();

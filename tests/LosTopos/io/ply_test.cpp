@@ -35,6 +35,21 @@ TEST_F(PlyTest, EmptySurfaceRoundTrip) {
   EXPECT_EQ(read_ply(path("a.ply")), SurfaceData{});
 }
 
+// What a picture leaves out.
+TEST_F(PlyTest, SolidTrianglesAreKeptAndWrittenOnlyWhereThereAreAny) {
+  SurfaceData data = two_tetrahedra();
+  data.triangle_arrays = {{"solid", 1, std::vector<double>(data.triangles.size(), 0)}, {"other", 1, {}}};
+  data.triangle_arrays[1].values = data.triangle_arrays[0].values;
+  write_ply(path("a.ply"), data);
+  EXPECT_TRUE(read_ply(path("a.ply")).triangle_arrays.empty());
+  data.triangle_arrays[0].values[2] = 1;
+  write_ply(path("a.ply"), data);
+  const SurfaceData again = read_ply(path("a.ply"));
+  expect_same_surface(again, data);
+  ASSERT_EQ(again.triangle_arrays.size(), 1U);
+  EXPECT_EQ(again.triangle_arrays[0], data.triangle_arrays[0]);
+}
+
 TEST_F(PlyTest, FrameLayoutIsTheDocumentedOne) {
   SurfaceData data;
   data.positions = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9.5}};

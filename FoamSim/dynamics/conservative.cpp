@@ -51,6 +51,7 @@ void Conservative::advance(StepScope& scope, Positions& predicted) {
     if (substeps > 0) phi_ = new_phi_;
     evaluate(scope, done, predicted, phi_, rates_);
     if (substeps == 0) {
+      if (!blown_.empty()) count_drive(scope);
       take_back_remeshing(scope);
       if (start_wires(scope, predicted)) evaluate(scope, done, predicted, phi_, rates_);
     }
@@ -77,16 +78,22 @@ long Conservative::evaluations() const {
 
 void Conservative::start(StepScope& scope) {
   const base::TimedScope timed(scope.report().times, "films");
-  films_.update(scope.mesh(), scope.step().geometry, scope.step().held, scope.solid());
+  gather(scope.step(), scope.circulation());
   if (viscosity_->acts()) viscosity_->connect(scope.mesh(), scope.solid());
+  put_circulation(films_, phi_, scope.circulation());
+  blown_.clear();
+  if (scope.drives()) drive(scope);
+  scope.change_circulation({});
+  take_circulation(films_, scope.circulation(), phi_);
+  begin_wires(scope);
+}
+
+void Conservative::gather(const EffectStep& step, CirculationField& circulation) {
+  films_.update(step.mesh, step.geometry, step.held, step.solid);
   phi_.resize(films_.entries());
   potential_->gather(films_, phi_);
   // A scene may have set Γ before the first step; from then on the potentials are what counts.
-  if (potential_->at_rest()) take_circulation(films_, scope.circulation(), phi_);
-  put_circulation(films_, phi_, scope.circulation());
-  scope.change_circulation({});
-  take_circulation(films_, scope.circulation(), phi_);
-  driven_->begin(scope.held_motion());
+  if (potential_->at_rest()) take_circulation(films_, circulation, phi_);
 }
 
 void Conservative::evaluate(StepScope& scope, double after, std::span<const Vec3> x, std::span<const double> phi,

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "FoamSim/conservative/burst_potential.h"
 #include "FoamSim/conservative/correction.h"
 #include "FoamSim/conservative/film_motion.h"
 #include "FoamSim/conservative/film_shape.h"
@@ -54,6 +55,10 @@ class Conservative final : public Dynamics {
   /// `safety` of what the stiffest films bear, but no less than √(h̄³/tension)/4, about half of what regular triangles
   /// at a Plateau border do: shorter steps in a few places are left to substeps.
   double suitable_dt(const EffectStep& step, double tension) override;
+  AirState air(const EffectStep& step, CirculationField& circulation) override;
+  void before_burst(const EffectStep& step, CirculationField& circulation, lostopos::Region region) override;
+  void after_burst(const EffectStep& step, CirculationField& circulation) override;
+  void surface_changed(const AirState& before, const AirState& after, double films_energy) override;
   void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) override;
   nlohmann::json state() const override;
   void restore(const nlohmann::json& state) override;
@@ -73,6 +78,14 @@ class Conservative final : public Dynamics {
   };
 
   void start(StepScope& scope);
+  // φ of the films as they lie.
+  void gather(const EffectStep& step, CirculationField& circulation);
+  void drive(StepScope& scope);
+  // What the drive has put into the air.
+  void count_drive(StepScope& scope);
+  // Tells of what flows through mouths in dt.
+  void let_in(StepScope& scope, double dt, std::span<const double> flux) const;
+  void begin_wires(StepScope& scope);
   // Whether vertices are driven by wires with which the air has to go.
   bool drives_air() const { return driven_->acts() && !sheet_sum_; }
   // At the start of a step: φ_ for which the air goes with wires as they move now. Whether anything was changed.
@@ -122,6 +135,8 @@ class Conservative final : public Dynamics {
   std::optional<SheetVelocity> sheet_sum_;
   std::vector<SheetTriangle> sheet_;
   std::vector<double> phi_, new_phi_, stage_phi_, held_phi_, pressure_;
+  std::vector<double> blown_;            // change of φ by what drives the air from outside; empty: nothing does
+  std::optional<BurstPotential> burst_;  // between before_burst and after_burst
   Positions tangential_, force_, stage_x_;
   Rates rates_, sum_;
   std::optional<Invariants> kept_;                 // of the last step, what the next one has to have

@@ -74,6 +74,7 @@ void Conservative::kick_drift(const Substep& step, Positions& x) {
     stage_phi_[e] = (phi_[e] + new_phi_[e]) / 2;
     kinetic -= stage_phi_[e] * (motion_->flux()[e] + flux[e]) / 2;
   }
+  let_in(scope, dt, flux);
   move(scope, x, new_phi_, flux, rates_.x);
   expect_kinetic_energy(dt, x, flux);
   const double inertia_work = drives_air() ? dt * driven_->power(force_) : 0;
@@ -108,6 +109,7 @@ void Conservative::midpoint(const Substep& step, Positions& x) {
     }
     shift(view(phi_), dt, view(rates_.phi), new_phi_);
   }
+  let_in(step.scope, dt, motion_->flux());
   step.scope.report().midpoint_rounds = std::max(step.scope.report().midpoint_rounds, round);
 }
 
@@ -115,6 +117,7 @@ void Conservative::rk4(const Substep& step, Positions& x) {
   StepScope& scope = step.scope;
   const double dt = step.dt;
   const Positions start = x;
+  let_in(scope, dt / 6, motion_->flux());
   scope.add_velocity(step.after, start, rates_.x);
   sum_ = rates_;
   const auto add_stage = [&](double in, double weight) {
@@ -122,6 +125,7 @@ void Conservative::rk4(const Substep& step, Positions& x) {
     shift(view(phi_), in, view(rates_.phi), stage_phi_);
     scope.correct_positions(step.after + in, stage_x_);
     evaluate(scope, step.after + in, stage_x_, stage_phi_, rates_);
+    let_in(scope, weight * dt / 6, motion_->flux());
     scope.add_velocity(step.after + in, stage_x_, rates_.x);
     for (std::size_t v = 0; v < x.size(); ++v) sum_.x[v] += weight * rates_.x[v];
     for (std::size_t e = 0; e < phi_.size(); ++e) sum_.phi[e] += weight * rates_.phi[e];

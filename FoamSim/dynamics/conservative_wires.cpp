@@ -7,6 +7,14 @@ namespace foamsim {
 
 using lostopos::Vec3;
 
+// Through a mouth air flows as it is blown, not as a wire says.
+void Conservative::begin_wires(StepScope& scope) {
+  HeldMotion motion = scope.held_motion();
+  for (std::size_t v = 0; v < motion.driven.size(); ++v)
+    if (scope.step().is_mouth(lostopos::Vertex(v))) motion.driven[v] = 0;
+  driven_->begin(std::move(motion));
+}
+
 bool Conservative::start_wires(StepScope& scope, std::span<const Vec3> x) {
   // A kick sees to it by itself, but for velocities that are suddenly others: half-way through it would be too late.
   if (!drives_air() || (options_.stepping == Stepping::kick_drift && !driven_->jumps())) return false;

@@ -18,6 +18,22 @@ void Dynamics::restore(const nlohmann::json& state) {
   if (!state.is_null()) throw base::InputError("the state is one of other dynamics");
 }
 
+bool StepScope::drives() const {
+  return std::ranges::any_of(effects_, [this](const auto& effect) { return effect->drives(step_.time); });
+}
+
+void StepScope::drive_circulation() {
+  for (const auto& effect : effects_) {
+    if (!effect->drives(step_.time)) continue;
+    const base::TimedScope timed(report_.times, effect->name());
+    effect->drive_circulation(step_, circulation_);
+  }
+}
+
+void StepScope::let_in(lostopos::Region region, double volume) {
+  for (const auto& effect : effects_) effect->volume_let_in(region, volume);
+}
+
 void StepScope::change_circulation(const SheetAir& air) {
   for (const auto& effect : effects_) {
     const base::TimedScope timed(report_.times, effect->name());
@@ -57,11 +73,19 @@ void StepScope::add_velocity(double after, std::span<const Vec3> positions, std:
     std::vector<Vec3> added(velocity.begin(), velocity.end());
     for (std::size_t i = 0; i < added.size(); ++i) added[i] -= before[i];
     for (const auto& effect : effects_) effect->velocity_added(stage, added);
+    if (after == 0) report_.effect_work += work_of(added);
   }
   for (const auto& constraint : constraints_) {
     const base::TimedScope timed(report_.times, constraint->name());
     constraint->add_velocity(stage, velocity);
   }
+}
+
+// On the films, by velocities (L/T) that effects add.
+double StepScope::work_of(std::span<const Vec3> velocity) const {
+  std::vector<Vec3> moved(positions().begin(), positions().end());
+  for (std::size_t v = 0; v < moved.size(); ++v) moved[v] += step_.dt * velocity[v];
+  return potential_energy(step_.dt, moved) - potential_energy(0, positions());
 }
 
 void StepScope::add_force(double after, std::span<const Vec3> positions, std::span<Vec3> force) {

@@ -1,5 +1,7 @@
 #include "FoamSim/dynamics/integrator.h"
 
+#include "FoamSim/dynamics/implicit.h"
+
 namespace foamsim {
 
 using lostopos::Vec3;
@@ -46,8 +48,11 @@ void RungeKutta4::advance(double dt, std::span<const Vec3> x, std::span<const Ve
 
 const base::Registry<IntegratorEntry>& integrators() {
   static const base::Registry<IntegratorEntry> entries(
-      "integrator", {{"euler", "explicit Euler", {}, make<Euler>},
-                     {"rk4", "the classical fourth-order Runge-Kutta method", {}, make<RungeKutta4>}});
+      "integrator",
+      {{"euler", "explicit Euler", {}, make<Euler>},
+       {"rk4", "the classical fourth-order Runge-Kutta method", {}, make<RungeKutta4>},
+       {"implicit", "tension acts on circulation implicitly, by Newton-Krylov; then Euler", {}, make<Implicit>},
+       {"pbd", "the same by Jacobi projections, for small surfaces", {}, make<PositionBased>}});
   return entries;
 }
 
@@ -55,6 +60,10 @@ std::unique_ptr<Integrator> make_integrator(std::string_view name) {
   const IntegratorEntry& entry = integrators().find(name);
   const base::OptionSet own(entry.options);
   return entry.make({own});
+}
+
+bool takes_tension(std::string_view name) {
+  return integrators().has(name) && make_integrator(name)->takes_tension();
 }
 
 }  // namespace foamsim

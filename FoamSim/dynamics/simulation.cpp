@@ -52,6 +52,7 @@ Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, Simul
   for (const auto& effect : parts_.effects) effect->attach(tracker_->mesh());
   for (const auto& constraint : parts_.constraints) constraint->attach(*tracker_);
   geometry_.update(tracker_->mesh(), solid());
+  for (const auto& effect : parts_.effects) effect->begin(effect_step());
   if (parts_.dynamics->remeshes_start() && options_.tracker.remeshing) remesh_start();
   if (options_.dt == 0) options_.dt = chosen_dt();
 }
@@ -91,6 +92,7 @@ StepReport Simulation::step() {
 
 StepReport Simulation::make_step() {
   StepReport report;
+  change_surface(report);
   const EffectStep step = effect_step();
   StepScope scope(step, *circulation_, parts_.effects, parts_.constraints, report);
   parts_.dynamics->advance(scope, predicted_);
@@ -121,7 +123,7 @@ void Simulation::track(StepReport& report) {
   report.motion_fraction = done.move.fraction;
   report.move = done.move.statistics;
   topology_totals_.add(done.topology);
-  report.topology = std::move(done.topology);
+  report.topology += done.topology;
   report.remesh = done.remesh;
 }
 
@@ -144,7 +146,10 @@ double Simulation::settle(StepReport& report) {
 }
 
 EffectStep Simulation::effect_step() const {
-  return {tracker_->mesh(), geometry_, time(), options_.dt, held(), solid()};
+  EffectStep step{tracker_->mesh(), geometry_, time(), options_.dt, held(), solid()};
+  for (const auto& effect : parts_.effects)
+    if (const auto mouth = effect->mouth(step.time); !mouth.empty()) step.mouth = mouth;
+  return step;
 }
 
 double Simulation::potential_energy() const {

@@ -78,6 +78,10 @@ class Simulation {
 
  private:
   StepReport make_step();
+  void change_surface(StepReport& report);
+  void burst(lostopos::Region region, StepReport& report);
+  void displace(std::span<const lostopos::Vec3> positions, StepReport& report);
+  void count_work(const AirState& before, double films_before, StepReport& report);
   EffectStep effect_step() const;
   void track(StepReport& report);
   void remesh_start();

@@ -33,6 +33,11 @@ struct StepReport {
   /// where collisions kept vertices from going where they should; topology; remeshing, and effects that settle the
   /// vertices behind it.
   double move_energy = 0, topology_energy = 0, remesh_energy = 0;
+  /// Energy (L⁵/T²) that effects have put in from outside: in the films and the air before the step by bursts and
+  /// displacements, by blowing into the air, and by velocities that they add into the films.
+  double effect_work = 0;
+  /// Rounds that the integrators `implicit` and `pbd` took for Γ; 100: it was not solved in full.
+  long implicit_iterations = 0;
   long velocity_evaluations = 0;
   double motion_fraction = 1;             ///< of the predicted motion that the tracker could do
   lostopos::MoveStatistics move;          ///< collisions found and answered

@@ -1,13 +1,22 @@
 #include "FoamSim/dynamics/vortex_sheet.h"
 
+#include <map>
+#include <optional>
+
 #include "Base/timing/stopwatch.h"
 #include "FoamSim/sheet/area_gradient.h"
+#include "FoamSim/sheet/burst_transfer.h"
 #include "FoamSim/sheet/energy.h"
 #include "FoamSim/sheet/region_constants.h"
+#include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
 
+using lostopos::Region;
+using lostopos::SurfaceMesh;
+using lostopos::Triangle;
 using lostopos::Vec3;
+using lostopos::Vertex;
 
 double VortexSheet::attach(lostopos::SurfaceMesh& /*mesh*/, const DynamicsStart& start) {
   delta_ = start.delta > 0 ? start.delta : 0.75 * start.resolution;
@@ -17,6 +26,8 @@ double VortexSheet::attach(lostopos::SurfaceMesh& /*mesh*/, const DynamicsStart&
 void VortexSheet::advance(StepScope& scope, std::vector<Vec3>& predicted) {
   const long evaluations_before = velocity_.evaluations();
   const std::vector<double> before = gather_circulation(scope);
+  std::optional<Drive> drive;
+  if (scope.drives()) drive = this->drive(scope);
   change_circulation(scope);
   {
     const base::TimedScope timed(scope.report().times, "velocity");
@@ -25,12 +36,94 @@ void VortexSheet::advance(StepScope& scope, std::vector<Vec3>& predicted) {
     velocities_.resize(positions.size());
     velocity_.evaluate(sheet_, positions, positions, delta_, velocities_);
     measure(scope, before, after);
+    if (drive) scope.report().effect_work += work_of(*drive, scope);
   }
+  if (!scope.step().mouth.empty()) let_in(scope);
   predict(scope, predicted);
   scope.report().velocity_evaluations = velocity_.evaluations() - evaluations_before;
 }
 
+// γ of the sheet's triangles and their potential Ψ: K = ½ Σ γ·Ψ, which is right also where films end at a wire.
+VortexSheet::Strengths VortexSheet::strengths(std::span<const Vec3> positions) {
+  Strengths now;
+  fill_vortex_sources(sheet_, positions, now.sources);
+  DirectPairSums().evaluate(now.sources, delta_, PairTerms::potential, now.sums);
+  return now;
+}
+
+double VortexSheet::half_product(const VortexSources& sources, std::span<const Vec3> potential) {
+  double sum = 0;
+  for (std::size_t t = 0; t < sources.size(); ++t)
+    sum += Vec3(sources.gx[t], sources.gy[t], sources.gz[t]).dot(potential[t]) / 2;
+  return sum;
+}
+
+// Drives the air, and notes the potential before it and the change of γ by it.
+VortexSheet::Drive VortexSheet::drive(StepScope& scope) {
+  const base::TimedScope timed(scope.report().times, "work");
+  Drive drive{.potential = strengths(scope.positions()).sums.potential};
+  std::vector<SheetTriangle> before = sheet_;
+  scope.drive_circulation();
+  gather_sheet(scope.mesh(), scope.circulation(), sheet_, scope.solid());
+  for (std::size_t i = 0; i < sheet_.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) before[i].circulation[k] = sheet_[i].circulation[k] - before[i].circulation[k];
+  fill_vortex_sources(before, scope.positions(), drive.change);
+  return drive;
+}
+
+// K is quadratic in Γ, so the share of one of several changes goes with the mean of the potentials before and after
+// all.
+double VortexSheet::work_of(const Drive& drive, StepScope& scope) {
+  const base::TimedScope timed(scope.report().times, "work");
+  return half_product(drive.change, drive.potential) +
+         half_product(drive.change, strengths(scope.positions()).sums.potential);
+}
+
+// Of every region with a mouth: what the velocities let into it in the step.
+void VortexSheet::let_in(StepScope& scope) const {
+  const SurfaceMesh& mesh = scope.mesh();
+  std::map<Region, double> rates;
+  for (Triangle t : mesh.triangles())
+    for (Vertex v : mesh.vertices(t))
+      if (scope.step().is_mouth(v))
+        for (Region r : {mesh.labels(t).p, mesh.labels(t).q})
+          if (r != lostopos::air) rates[r] = 0;
+  for (const SheetTriangle& sheet : sheet_) {
+    Vec3 mean = Vec3::Zero();
+    for (Vertex v : sheet.vertices)
+      if (!scope.step().is_held(v)) mean += velocities_[v.index()] / 3;
+    const double rate = mean.dot(lostopos::area_vector(mesh, sheet.triangle));
+    const lostopos::Labels labels = mesh.labels(sheet.triangle);
+    if (const auto it = rates.find(labels.p); it != rates.end()) it->second += rate;
+    if (const auto it = rates.find(labels.q); it != rates.end()) it->second -= rate;
+  }
+  for (const auto& [region, rate] : rates) scope.let_in(region, rate * scope.step().dt);
+}
+
+AirState VortexSheet::air(const EffectStep& step, CirculationField& circulation) {
+  gather_sheet(step.mesh, circulation, sheet_, step.solid);
+  const Strengths now = strengths(step.mesh.positions());
+  return {.kinetic_energy = half_product(now.sources, now.sums.potential)};
+}
+
+void VortexSheet::before_burst(const EffectStep& step, CirculationField& circulation, Region region) {
+  join_circulation_to_air(step.mesh, region, circulation);
+}
+
+void VortexSheet::kick(StepScope& scope) {
+  const base::TimedScope timed(scope.report().times, "integrator");
+  scope.report().implicit_iterations =
+      integrator_->kick({.step = scope.step(),
+                         .circulation = scope.circulation(),
+                         .sigma = scope.tension() / 4,
+                         .delta = delta_,
+                         .velocity = [&](std::span<const SheetTriangle> sheet, std::span<Vec3> velocity) {
+                           velocity_.evaluate(sheet, scope.positions(), scope.positions(), delta_, velocity);
+                         }});
+}
+
 void VortexSheet::change_circulation(StepScope& scope) {
+  if (integrator_->takes_tension()) kick(scope);
   std::vector<Vec3> targets;
   scope.change_circulation({delta_, [&](std::span<const lostopos::Vertex> at, std::span<Vec3> velocity) {
                               gather_sheet(scope.mesh(), scope.circulation(), sheet_, scope.solid());

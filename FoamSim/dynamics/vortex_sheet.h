@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FoamSim/conservative/pair_sums.h"
 #include "FoamSim/dynamics/dynamics.h"
 #include "FoamSim/dynamics/integrator.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
@@ -15,12 +16,30 @@ class VortexSheet final : public Dynamics {
       : velocity_(std::move(velocity)), integrator_(std::move(integrator)) {}
 
   double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
+  bool takes_tension() const override { return integrator_->takes_tension(); }
+  AirState air(const EffectStep& step, CirculationField& circulation) override;
+  void before_burst(const EffectStep& step, CirculationField& circulation, lostopos::Region region) override;
   void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) override;
 
  private:
+  struct Strengths {
+    VortexSources sources;
+    PairSums sums;
+  };
+  // What drives the air from outside: Ψ before it, and its change of γ.
+  struct Drive {
+    std::vector<lostopos::Vec3> potential;
+    VortexSources change = {};
+  };
+  Strengths strengths(std::span<const lostopos::Vec3> positions);
+  static double half_product(const VortexSources& sources, std::span<const lostopos::Vec3> potential);
+  Drive drive(StepScope& scope);
+  double work_of(const Drive& drive, StepScope& scope);
   // Γ̄ of the sheet's triangles as they are now, without region constants.
   std::vector<double> gather_circulation(StepScope& scope);
   void change_circulation(StepScope& scope);
+  void kick(StepScope& scope);
+  void let_in(StepScope& scope) const;
   void predict(StepScope& scope, std::vector<lostopos::Vec3>& predicted);
   static void count_wire_work(StepScope& scope, std::span<const lostopos::Vec3> predicted);
   void measure(StepScope& scope, std::span<const double> before, std::span<const double> after) const;

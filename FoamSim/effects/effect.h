@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "FoamSim/effects/effect_step.h"
 #include "FoamSim/sheet/circulation.h"
@@ -22,7 +23,31 @@ class Effect {
   /// Called once, before the first step: the place to add named attributes to the mesh, which then follow it, are
   /// written and are resumed by themselves.
   virtual void attach(lostopos::SurfaceMesh& /*mesh*/) {}
+  /// Called once, when all effects and constraints are attached, with the surface as it is before the first step. After
+  /// a resume what attributes hold is put back behind this. Throws base::InputError for what the surface does not have.
+  virtual void begin(const EffectStep& /*step*/) {}
 
+  /// @name Before a step begins
+  ///@{
+  /// Regions that burst now: their films towards the air break, and what is left of them belongs to the air.
+  virtual std::vector<lostopos::Region> bursts(const EffectStep& /*step*/) { return {}; }
+  /// Whether it is one that lets regions burst.
+  virtual bool lets_burst() const { return false; }
+  /// Told of a region that is about to burst.
+  virtual void region_bursts(lostopos::Region /*region*/) {}
+  /// Where vertices are to go (L, one a slot) before the step moves them, as far as nothing intersects; empty: nowhere.
+  virtual std::vector<lostopos::Vec3> displaced(const EffectStep& /*step*/) { return {}; }
+  /// As EffectStep::mouth, of a step that begins at this time (T).
+  virtual std::span<const std::uint8_t> mouth(double /*time*/) const { return {}; }
+  ///@}
+
+  /// Whether it drives the air from outside in a step that begins at this time (T).
+  virtual bool drives(double /*time*/) const { return false; }
+  /// Changes Γ over step.dt by what it does to the air from outside: before all that `update_circulation` does, and
+  /// with the energy that this takes counted as work.
+  virtual void drive_circulation(const EffectStep& /*step*/, CirculationField& /*circulation*/) {}
+  /// Told of the volume (L³) that a region has got through a mouth.
+  virtual void volume_let_in(lostopos::Region /*region*/, double /*volume*/) {}
   /// Changes Γ over step.dt. Called once a step, in the order of the registry, before velocities are evaluated.
   virtual void update_circulation(const EffectStep& /*step*/, CirculationField& /*circulation*/) {}
   /// Adds the gradient of its potential energy with respect to the vertices' positions (L⁴/T², one a vertex slot) at

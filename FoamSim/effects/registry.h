@@ -15,8 +15,9 @@ namespace foamsim {
 /// What an effect may be made from.
 struct EffectSetup {
   const base::OptionSet& options;
-  double resolution;         ///< h̄, L
-  const SheetModels& sheet;  ///< pressure schemes and what else is chosen by name
+  double resolution;                 ///< h̄, L
+  const SheetModels& sheet;          ///< pressure schemes and what else is chosen by name
+  bool tension_by_dynamics = false;  ///< see Dynamics::takes_tension
 };
 using EffectEntry = base::Model<Effect, EffectSetup>;
 

@@ -120,6 +120,10 @@ void Volumes::velocity_added(const Stage& stage, std::span<const Vec3> added) {
   }
 }
 
+void Volumes::volume_let_in(Region region, double volume) {
+  if (const auto it = wanted_.find(region); it != wanted_.end()) it->second += volume;
+}
+
 void Volumes::follow(const SurfaceMesh& mesh) {
   const std::map<Region, double> now = bubbles_of(mesh);
   for (const auto& [gone, had] : wanted_) {

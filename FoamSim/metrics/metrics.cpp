@@ -42,6 +42,10 @@ void take_tracker_counts(const StepReport& report, Metrics& m) {
   m.topology_energy = report.topology_energy;
   m.remesh_energy = report.remesh_energy;
   m.midpoint_rounds = report.midpoint_rounds;
+  m.effect_work = report.effect_work;
+  m.wire_work = report.wire_work;
+  m.wire_iterations = report.wire_iterations;
+  m.implicit_iterations = report.implicit_iterations;
   m.motion_fraction = report.motion_fraction;
   m.splits = report.remesh[Operation::split].done;
   m.collapses = report.remesh[Operation::collapse].done;

@@ -35,7 +35,10 @@ struct Metrics {
   double tracker_surface_energy = 0, tracker_kinetic_energy = 0;   ///< L⁵/T²
   double move_energy = 0, topology_energy = 0, remesh_energy = 0;  ///< see StepReport, L⁵/T²
   long midpoint_rounds = 0;
-  double motion_fraction = 1;  ///< of the predicted motion that the tracker could do
+  double effect_work = 0, wire_work = 0;  ///< see StepReport, L⁵/T²
+  long wire_iterations = 0;
+  long implicit_iterations = 0;  ///< of the integrators implicit and pbd
+  double motion_fraction = 1;    ///< of the predicted motion that the tracker could do
   /// In the step: remeshing operations done, refused in all, collisions answered.
   std::size_t splits = 0, collapses = 0, flips = 0, smoothings = 0, refusals = 0;
   std::size_t collisions = 0, impact_zones = 0;

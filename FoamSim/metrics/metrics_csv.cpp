@@ -86,6 +86,10 @@ std::vector<Column> energy_columns() {
       {"topology_energy", [](const Metrics& m) { return cell_text(m.topology_energy); }},
       {"remesh_energy", [](const Metrics& m) { return cell_text(m.remesh_energy); }},
       {"midpoint_rounds", [](const Metrics& m) { return cell_text(m.midpoint_rounds); }},
+      {"effect_work", [](const Metrics& m) { return cell_text(m.effect_work); }},
+      {"wire_work", [](const Metrics& m) { return cell_text(m.wire_work); }},
+      {"wire_iterations", [](const Metrics& m) { return cell_text(m.wire_iterations); }},
+      {"implicit_iterations", [](const Metrics& m) { return cell_text(m.implicit_iterations); }},
   };
 }
 

@@ -1,5 +1,6 @@
 #include "FoamSim/run/scene_motion.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "FoamSim/metrics/metrics_csv.h"
@@ -39,7 +40,9 @@ std::vector<Table> SceneMotion::tables() const {
   const long every = scene_.options.whole("metrics_every");
   std::vector<Table> all{{"metrics.csv", metrics_header(), every, [this] { return metrics_row(metrics()); }},
                          {"volumes.csv", volumes_header(), every, [this] { return volumes_rows(metrics()); }}};
-  if (simulation().options().tracker.topology.enabled) all.push_back(lostopos::run::events_table(*this));
+  if (simulation().options().tracker.topology.enabled ||
+      std::ranges::any_of(simulation().effects(), [](const auto& effect) { return effect->lets_burst(); }))
+    all.push_back(lostopos::run::events_table(*this));
   return all;
 }
 

@@ -16,7 +16,12 @@ SceneEntry foaminit_scene() {
   return {"foaminit",
           "three spheres that grow until they press each other flat",
           {subdivisions(1, "subdivisions of each icosahedron (20*4^n triangles)")},
-          {{"effects", std::vector<std::string>{"growth"}}},
+          // The rates of a clock that has one tick a step, where the published one has two.
+          {{"effects", std::vector<std::string>{"surface_tension", "damping", "diffusion", "growth"}},
+           {"damping", 0.001},
+           {"diffusion", 20.0},
+           {"growth", 0.2},
+           {"growth_normals", std::string("unit")}},
           [](const OptionSet& options) { return three_spheres(options.whole("n")); }};
 }
 
@@ -61,7 +66,10 @@ SceneEntry foam_scene() {
   return {.name = "foam",
           .summary = "a foam whose bubbles burst, one after the other",
           .options = start_of_foam(),
-          .defaults = {{"time", 2.0}, {"diffusion", 20.0}, {"resolution", 0.15}},
+          .defaults = {{"time", 6.0},
+                       {"effects", std::vector<std::string>{"surface_tension", "diffusion", "burst"}},
+                       {"diffusion", 20.0},
+                       {"resolution", 0.15}},
           .build = foam,
           .notes = note_on_foam};
 }

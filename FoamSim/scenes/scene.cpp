@@ -91,7 +91,8 @@ bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
   const bool vortex_sheet = options.word("dynamics") == "vortex-sheet";
   const bool sums = vortex_sheet || options.word("velocities") == "sheet";
   const bool presses =
-      (vortex_sheet || options.word("forces") == "pressure-scheme") && contains(effects_of(options), "surface_tension");
+      (vortex_sheet ? !takes_tension(options.word("integrator")) : options.word("forces") == "pressure-scheme") &&
+      contains(effects_of(options), "surface_tension");
   if (contains(also_used, name)) return true;
   if (kind == "effect") return contains(effects_of(options), name);
   if (kind == "dynamics") return options.word("dynamics") == name;
@@ -196,7 +197,9 @@ void refuse_for_stepping(const base::OptionSet& options) {
 std::string not_used_message(const base::OptionSpec& spec, const base::OptionSet& options) {
   const auto& [kind, name] = spec.owner;
   std::string help;
-  if (kind == "effect")
+  if (kind == "pressure scheme" && takes_tension(options.word("integrator")))
+    help = "; integrator=" + options.word("integrator") + " has its own curvature and areas";
+  else if (kind == "effect")
     help = "; add it with --set effects+=" + name;
   else if (options.word("dynamics") == "conservative" && spec.key == "integrator")
     help = "; dynamics=conservative has --set stepping=kick-drift, midpoint or rk4";
@@ -328,10 +331,10 @@ SimulationParts simulation_parts(const Scene& scene, double resolution, const st
   const base::OptionSet& options = scene.options;
   const Catalogue& catalogue = *scene.catalogue;
   SimulationParts parts{
-      .effects = make_effects(catalogue.effects, effects_of(options), {options, resolution, catalogue.sheet}),
-      .constraints = {},
       .dynamics =
           catalogue.dynamics.find(options.word("dynamics")).make({options, catalogue.sheet, catalogue.integrators})};
+  parts.effects = make_effects(catalogue.effects, effects_of(options),
+                               {options, resolution, catalogue.sheet, parts.dynamics->takes_tension()});
   for (const ConstraintEntry& entry : catalogue.constraints) {
     if (!contains(options.words("constraints"), entry.name)) continue;
     if (auto constraint = entry.make({options, resolution, edges})) parts.constraints.push_back(std::move(constraint));

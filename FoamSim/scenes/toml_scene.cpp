@@ -25,8 +25,9 @@ base::OptionValue to_option_value(const toml::node& node, const std::string& whe
   if (const auto* list = node.as_array()) {
     std::vector<std::string> words;
     for (const toml::node& item : *list) {
-      if (!item.is_string()) throw base::InputError(where + ": a list here has to hold words in quotes");
-      words.push_back(item.as_string()->get());
+      if (!item.is_string() && !item.is_number())
+        throw base::InputError(where + ": a list here has to hold words in quotes, or numbers");
+      words.push_back(item.is_string() ? item.as_string()->get() : base::to_text(to_option_value(item, where)));
     }
     return words;
   }

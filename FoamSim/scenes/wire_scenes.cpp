@@ -67,11 +67,13 @@ SceneEntry peanut_scene() {
           [](const OptionSet& options) { return peanut(options.whole("n"), options.whole("m")); }};
 }
 
+const std::vector<std::string> blown{"surface_tension", "diffusion", "blow"};
+
 SceneEntry straw_scene() {
   return {"straw",
           "a bubble blown through a straw",
           {segments_of_rings(24)},
-          wired({"held: still"}, {{"time", 1.0}, {"diffusion", 20.0}, {"resolution", 0.25}}),
+          wired({"held: still"}, {{"time", 1.0}, {"effects", blown}, {"diffusion", 20.0}, {"resolution", 0.25}}),
           [](const OptionSet& options) { return wand(options.whole("n")); }};
 }
 
@@ -79,7 +81,13 @@ SceneEntry carousel_scene() {
   return {"carousel",
           "a third bubble blown through a straw below two that are held, until it meets them",
           {rings_of_bubbles(), segments_of_bubbles()},
-          wired({"held and y < -4: move 0 -0.4 0 from 5"}, {{"time", 6.0}, {"diffusion", 20.0}, {"resolution", 0.4}}),
+          wired({"held and y < -4: move 0 -0.4 0 from 5"}, {{"time", 6.0},
+                                                            {"effects", blown},
+                                                            {"diffusion", 20.0},
+                                                            {"resolution", 0.4},
+                                                            {"blow_region", 3L},
+                                                            {"blow_until", 5.0},
+                                                            {"blow_where", std::string("held and y < -4")}}),
           [](const OptionSet& options) { return carousel(options.whole("n"), options.whole("m")); }};
 }
 

@@ -12,6 +12,8 @@ const char* name(TopologyOperation operation) {
       return "separation";
     case TopologyOperation::region_collapse:
       return "region_collapse";
+    case TopologyOperation::burst:
+      return "burst";
   }
   return "unknown operation";
 }

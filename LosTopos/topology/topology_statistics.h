@@ -15,9 +15,11 @@ enum class TopologyOperation {
   edge_merge,       ///< a very short edge goes although that changes how films meet there
   separation,       ///< a vertex parts in two: T1, or the end of a contact at a point
   region_collapse,  ///< a region vanishes
+  burst,            ///< a region's films towards the air break; asked for from outside, not an operation of the passes
 };
+/// Of the passes.
 inline constexpr std::size_t topology_operation_count = 4;
-/// As in events.csv: "snap", "edge_merge", "separation", "region_collapse".
+/// As in events.csv: "snap", "edge_merge", "separation", "region_collapse", "burst".
 const char* name(TopologyOperation operation);
 
 /// Something that changed how regions meet.

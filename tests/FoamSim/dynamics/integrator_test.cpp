@@ -109,7 +109,7 @@ TEST(Integrators, LetPositionsBeCorrectedAtEveryStage) {
 }
 
 TEST(Integrators, AreFoundByName) {
-  EXPECT_EQ(integrators().names(), (std::vector<std::string>{"euler", "rk4"}));
+  EXPECT_EQ(integrators().names(), (std::vector<std::string>{"euler", "rk4", "implicit", "pbd"}));
   try {
     make_integrator("rk5");
     FAIL() << "no error";

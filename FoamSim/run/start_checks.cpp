@@ -41,8 +41,9 @@ void look_for_open_edges(const Scene& scene, const Simulation& simulation, std::
 
 // What reading the file has mended.
 void look_at_file(const Scene& scene, std::vector<std::string>& notes) {
-  if (scene.mesh_file.empty()) return;
-  lostopos::SurfaceData data = lostopos::read_surface(scene.mesh_file);
+  const std::string file = start_file(scene);
+  if (file.empty()) return;
+  lostopos::SurfaceData data = lostopos::read_surface(file);
   for (std::string& note : lostopos::tidy_surface(data)) notes.push_back(std::move(note));
 }
 

@@ -109,6 +109,7 @@ class LineSearch {
 
   std::vector<ProbeLine> lines_through(const std::vector<std::size_t>& parts, std::size_t attempt) const {
     std::vector<ProbeLine> lines;
+    lines.reserve(parts.size());
     for (std::size_t part : parts) {
       const std::size_t here = std::min(first_[part] + attempt, first_[part + 1] - 1);
       const auto& c = shadows_[here].across;
@@ -119,6 +120,7 @@ class LineSearch {
 
   void trace(std::vector<ProbeLine>& lines) const {
     std::vector<ProbeLine*> sorted;
+    sorted.reserve(lines.size());
     for (ProbeLine& line : lines) sorted.push_back(&line);
     std::ranges::stable_sort(sorted, {}, [](const ProbeLine* line) { return line->across.x(); });
     for (const FilmShadow& s : shadows_) {

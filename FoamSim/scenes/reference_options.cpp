@@ -8,14 +8,13 @@
 namespace foamsim {
 
 using base::OptionSet;
-using lostopos::KeyUse;
 using lostopos::ReferenceKey;
 using lostopos::ReferenceValues;
 
 namespace {
 
 std::vector<ReferenceKey> film_keys() {
-  using enum KeyUse;
+  using enum lostopos::KeyUse;
   return {
       {"scene", "", converted, "the scene", "the same names"},
       {"load-dir", "", converted, "load_dir",

@@ -122,7 +122,7 @@ TEST(ReferenceOptions, WhatIsAbsentIsAsInTheReference) {
   EXPECT_EQ(options.whole("remeshing.iterations"), 1);
   EXPECT_EQ(options.number("tracker.proximity"), 1e-4);
   EXPECT_EQ(options.number("topology.merge_distance"), 0.1);
-  EXPECT_FALSE(options.flag("remeshing.smoothing"));
+  EXPECT_EQ(options.number("remeshing.smooth_below"), 30);
   EXPECT_FALSE(options.flag("remeshing.butterfly"));
   EXPECT_EQ(options.number("remeshing.max_volume_change"), 1e-2);
   EXPECT_TRUE(options.flag("topology.enabled"));

@@ -44,7 +44,7 @@ TEST(TrackerOptionFiles, SetTheScenesOptions) {
   EXPECT_EQ(mcf.options.word("flow"), "area-gradient");
   EXPECT_TRUE(mcf.options.flag("faster_later"));
   EXPECT_EQ(mcf.options.number("resolution"), 0.05);
-  EXPECT_TRUE(mcf.options.flag("remeshing.smoothing"));
+  EXPECT_EQ(mcf.options.number("remeshing.smooth_below"), 60);
   EXPECT_EQ(mcf.options.number("remeshing.min_angle"), 5);
   EXPECT_EQ(mcf.options.whole("rec_every"), 10);
   EXPECT_EQ(mcf.options.number("topology.merge_distance"), 0.02);

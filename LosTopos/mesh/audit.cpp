@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -157,7 +158,8 @@ class Auditor {
     }
     std::ranges::sort(films, {}, &Film::angle);
     // Nothing is known of what lies beyond a wall.
-    const auto beyond = outward.isZero(0) ? std::nullopt : std::optional(std::atan2(outward.dot(w), outward.dot(u)));
+    const double beyond =
+        outward.isZero(0) ? std::numeric_limits<double>::quiet_NaN() : std::atan2(outward.dot(w), outward.dot(u));
     for (std::size_t i = 0; i < films.size(); ++i) {
       const Film& film = films[i];
       const Film& next = films[(i + 1) % films.size()];
@@ -167,12 +169,11 @@ class Auditor {
     }
   }
 
-  // Whether a direction lies between film i and the next.
+  // Whether a direction lies between film i and the next; one that is not a number does not.
   template <class Films>
-  static bool lies_between(const Films& films, std::size_t i, std::optional<double> direction) {
-    if (!direction) return false;
+  static bool lies_between(const Films& films, std::size_t i, double direction) {
     const double from = films[i].angle, to = films[(i + 1) % films.size()].angle;
-    return from < to ? from < *direction && *direction < to : *direction > from || *direction < to;
+    return from < to ? from < direction && direction < to : direction > from || direction < to;
   }
 
   // Films whose directions rounding cannot tell apart may be sorted either way; the intersection test judges them.

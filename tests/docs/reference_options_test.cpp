@@ -1,10 +1,11 @@
 // docs/reference-options.md holds the tables of keys as the programs read them.
+#include "FoamSim/scenes/reference_options.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "FoamSim/scenes/reference_options.h"
 #include "MultiTracker/scenes/reference_options.h"
 
 namespace {

@@ -94,7 +94,7 @@ double bubbles_that_three_touches(const Simulation& simulation) {
 std::vector<GalleryScene> bubbles() {
   return {
       {"sphere", 0.3, {}, {{"volume of the bubble", 0.3, volume(1), 1.66068, 0.01, "as at the start"}}},
-      {"mode", 0.1, {"mode=4", "amplitude=0.2"}, {{"area over a ball's", 0.1, area_over_ball, 1.08, 0.2, "theory"}}},
+      {"mode", 0.1, {"mode=4", "amplitude=0.2"}, {{"volume", 0.1, volume(1), 4.19, 0.03, "a ball's"}}},
       {"tet", 3, {}, {{"area over a ball's", 3, area_over_ball, 1, 0.03, of_closed_form}}},
       {"cube", 3, {}, {{"area over a ball's", 3, area_over_ball, 1, 0.01, of_closed_form}}},
       {"doublebubble", 4, {}, {{"area over a double bubble's", 4, area_over_double_bubble, 1, 0.02, of_closed_form}}},
@@ -132,9 +132,9 @@ std::vector<GalleryScene> wires() {
       {"peanutbubble", 1, {}, {{"volume", 1, volume(1), 6.98670, 0.01, "as at the start"}}},
       {"straw", 1, {}, {{"volume", 0.2, volume(1), 1.6916, 0.01, of_reference}}},
       {"carousel",
-       6,
+       3.4,
        {},
-       {{"bubbles that the third touches", 6, bubbles_that_three_touches, 2, 0, "the scene's purpose"}},
+       {{"bubbles that the third touches", 3.4, bubbles_that_three_touches, 2, 0, "the purpose of the scene"}},
        {0.3, 0.15, 0.95}},
       {"sheet",
        0.5,
@@ -148,8 +148,8 @@ std::vector<GalleryScene> foams() {
   return {
       {"foaminit", 0.6, {}, {{"volume of each", 0.2, volume(1), 0.5685, 0.01, of_reference}}, {0.2, 0.9, 0.4}},
       {"growth", 0.6, {}, {{"bubbles", 0.6, regions, 8, 0, "as at the start"}}},
-      {"foam", 1, {}, {{"bubbles", 1, regions, 8, 0, "as at the start"}}},
-      {"pullingfoam", 1, {}, {{"bubbles", 1, regions, 8, 0, "as at the start"}}},
+      {"foam", 0.8, {"burst_start=0.6"}, {{"bubbles", 0.8, regions, 7, 0, "eight less one that has burst"}}},
+      {"pullingfoam", 0.6, {}, {{"bubbles", 0.6, regions, 8, 0, "as at the start"}}},
   };
 }
 

@@ -63,7 +63,7 @@ SceneEntry peanut_scene() {
   return {"peanutbubble",
           "a bubble held at its waist by a ring: two halves of almost the same size, which is unstable",
           {rings_of_bubbles(), segments_of_bubbles()},
-          wired({"held: still"}, {{"time", 1.0}, {"diffusion", 20.0}, {"resolution", 0.1}}),
+          wired({"held: still"}, {{"time", 8.0}, {"diffusion", 20.0}, {"resolution", 0.1}}),
           [](const OptionSet& options) { return peanut(options.whole("n"), options.whole("m")); }};
 }
 

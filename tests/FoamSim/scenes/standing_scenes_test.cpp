@@ -1,4 +1,5 @@
-// Scenes in which nothing is held: what is in balance stands still, the rest moves as measured of the reference.
+// Scenes in which nothing is held: what is in balance stands still, the rest moves as measured of the reference
+// program.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +44,15 @@ TEST(QuadJunction, LosesTheAreaThatTheReferenceLoses) {
   Simulation simulation = make_simulation(built_in_scene("quadjunction"));
   for (int i = 0; i < 20; ++i) simulation.step();
   EXPECT_NEAR(lostopos::total_area(simulation.mesh()) / 8.9656, 1, 3e-3);
+}
+
+TEST(Foaminit, GrowsAsTheReferenceDoes) {
+  Simulation simulation = make_simulation(built_in_scene("foaminit"));
+  for (int i = 0; i < 20; ++i) simulation.step();
+  for (const auto& [region, volume] : lostopos::region_volumes(simulation.mesh()))
+    if (region != lostopos::air) {
+      EXPECT_NEAR(volume / 0.5685, 1, 0.01);
+    }
 }
 
 TEST(TwoBubblesScene, MeetWhileTheyBecomeRound) {

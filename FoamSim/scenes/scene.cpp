@@ -1,7 +1,6 @@
 #include "FoamSim/scenes/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "Base/error.h"
@@ -21,91 +20,6 @@ using lostopos::SurfaceMesh;
 using lostopos::Vertex;
 
 namespace {
-
-base::OptionSpec step_length() {
-  auto spec = base::positive_number("dt", 0.01, "length of a step, T; auto: what the films bear (conservative)");
-  spec.named_numbers = {{"auto", 0}};
-  return spec;
-}
-
-std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
-  using base::name_of;
-  std::vector<base::OptionSpec> specs{
-      step_length(),
-      base::non_negative_number("time", 4, "simulated time, T"),
-      base::non_negative_number("resolution", 0, "target mean edge length, L; 0: that of the start mesh"),
-      base::word_from("resolution_mean", std::string("edges"), "what a resolution of 0 is the mean of", "mean",
-                      {"edges", "triangle-sides"}),
-      base::non_negative_number("delta", 0, "regularisation, L; 0: 0.75 resolution, 0.5 for conservative"),
-      name_of("dynamics", std::string("vortex-sheet"), "how films move", catalogue.dynamics),
-      name_of("integrator", std::string("euler"), "how positions are advanced", catalogue.integrators),
-      name_of("velocity", std::string("direct"), "how velocities are summed", catalogue.sheet.velocities),
-      name_of("effects", std::vector<std::string>{"surface_tension", "diffusion"},
-              "what acts on the films, separated by commas", catalogue.effects),
-      name_of("constraints", std::vector<std::string>{"frame"}, "what holds films at their edges",
-              catalogue.constraints),
-      name_of("pressure", std::string("edge_angle"), "what drives circulation", catalogue.sheet.pressures),
-      name_of("area", std::string("averaged"), "area that normalises curvature at junctions", catalogue.sheet.areas),
-      base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
-      base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
-      base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
-      base::whole_number("rec_every", 0, 0, "steps between .rec meshes for the reference program; 0: none"),
-      base::whole_number("obj_every", 0, 0, "steps between .obj meshes with normals; 0: none"),
-      base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
-      base::whole_number("seed", 0, 0, "seed of everything random"),
-  };
-  const auto belongs_to = [&specs](const char* key, base::OptionSpec::Owner owner) {
-    std::ranges::find(specs, key, &base::OptionSpec::key)->owner = std::move(owner);
-  };
-  belongs_to("integrator", {"dynamics", "vortex-sheet"});
-  belongs_to("velocity", {"velocities", "sheet"});
-  belongs_to("pressure", {"forces", "pressure-scheme"});
-  belongs_to("area", {"pressure scheme", "edge_angle"});
-  return specs;
-}
-
-// Remeshing and topology changes are on unless a scene says otherwise.
-lostopos::TrackerOptions tracker_defaults() {
-  lostopos::TrackerOptions defaults;
-  defaults.topology.enabled = true;
-  return defaults;
-}
-
-template <class Entry>
-void append_options(std::vector<base::OptionSpec>& specs, const base::Registry<Entry>& registry) {
-  for (const Entry& entry : registry) specs.insert(specs.end(), entry.options.begin(), entry.options.end());
-}
-
-bool contains(std::span<const std::string> words, const std::string& word) {
-  return std::ranges::find(words, word) != words.end();
-}
-
-bool holds_by_wire(const base::OptionSet& options) {
-  return contains(options.words("constraints"), "wire") || contains(options.words("constraints"), "rod");
-}
-
-// Whether the scene uses the owner of an option.
-bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
-          std::span<const std::string> also_used) {
-  const auto& [kind, name] = owner;
-  const bool vortex_sheet = options.word("dynamics") == "vortex-sheet";
-  const bool sums = vortex_sheet || options.word("velocities") == "sheet";
-  const bool presses =
-      (vortex_sheet ? !takes_tension(options.word("integrator")) : options.word("forces") == "pressure-scheme") &&
-      contains(effects_of(options), "surface_tension");
-  if (contains(also_used, name)) return true;
-  if (kind == "effect") return contains(effects_of(options), name);
-  if (kind == "dynamics") return options.word("dynamics") == name;
-  if (kind == "constraint") return contains(options.words("constraints"), name);
-  if (kind == "velocities") return sums;
-  if (kind == "velocity sum") return sums && options.word("velocity") == name;
-  if (kind == "integrator") return vortex_sheet && options.word("integrator") == name;
-  if (kind == "forces") return presses;
-  if (kind == "pressure scheme") return presses && options.word("pressure") == name;
-  if (kind == "area strategy")
-    return uses(options, {"pressure scheme", "edge_angle"}, also_used) && options.word("area") == name;
-  return true;
-}
 
 // With what a file of the reference program holds besides the surface.
 struct StartSurface {
@@ -168,112 +82,7 @@ void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simu
   simulation.circulation().match(simulation.mesh());
 }
 
-// What the conservative dynamics cannot have, and why.
-void refuse_for_conservative(const base::OptionSet& options) {
-  if (options.word("dynamics") != "conservative") return;
-  if (contains(effects_of(options), "diffusion"))
-    throw base::InputError(
-        "effect 'diffusion' smooths circulation pair by pair, which can win energy, and is not for "
-        "dynamics=conservative; "
-        "use --set viscosity=ETA (surface viscosity, L^3/T) in its place");
-  const double delta = options.number("delta"), resolution = options.number("resolution");
-  if (delta > 0 && resolution > 0 && delta < 0.1 * resolution)
-    throw base::InputError(
-        "delta is below a tenth of the resolution, where slivers make the kinetic energy of "
-        "dynamics=conservative as good as singular; leave it out (half the resolution) or give at "
-        "least " +
-        base::to_text(0.1 * resolution));
-}
-
-// What is read by some of its steppings only.
-void refuse_for_stepping(const base::OptionSet& options) {
-  if (options.word("dynamics") != "conservative" || options.word("stepping") == "kick-drift") return;
-  if (options.is_set("correction") && options.flag("correction"))
-    throw base::InputError("option 'correction' is for stepping=kick-drift; stepping=" + options.word("stepping") +
-                           " keeps energy by its order alone");
-}
-
-// Of an option whose owner the scene does not use.
-std::string not_used_message(const base::OptionSpec& spec, const base::OptionSet& options) {
-  const auto& [kind, name] = spec.owner;
-  std::string help;
-  if (kind == "pressure scheme" && takes_tension(options.word("integrator")))
-    help = "; integrator=" + options.word("integrator") + " has its own curvature and areas";
-  else if (kind == "effect")
-    help = "; add it with --set effects+=" + name;
-  else if (options.word("dynamics") == "conservative" && spec.key == "integrator")
-    help = "; dynamics=conservative has --set stepping=kick-drift, midpoint or rk4";
-  else if (options.word("dynamics") == "conservative")
-    help =
-        "; dynamics=conservative has exact forces and the velocities that belong to them (but for --set "
-        "forces=pressure-scheme, --set velocities=sheet)";
-  return "option '" + spec.key + "' belongs to the " + kind + " '" + name + "', which this scene does not use" + help;
-}
-
 }  // namespace
-
-std::vector<std::string> effects_of(const base::OptionSet& options) {
-  std::vector<std::string> names = options.words("effects");
-  if (options.is_set("effects") || options.word("dynamics") != "conservative") return names;
-  std::erase(names, "diffusion");
-  names.emplace_back("volumes");
-  return names;
-}
-
-base::OptionSet options_in_use(const base::OptionSet& options) {
-  base::OptionSet used = options;
-  const auto fill_in = [&used](const char* key, const base::OptionValue& value) {
-    if (!used.is_set(key)) used.set_default(key, value);
-  };
-  fill_in("effects", effects_of(options));
-  // A wire or rod keeps its vertices, and films near it theirs.
-  if (holds_by_wire(options)) fill_in("remeshing.collapse_to_held", false);
-  if (options.word("dynamics") == "conservative") {
-    // The scheme keeps volumes, so remeshing must not be what changes them; and it rests where the area of the mesh is
-    // least, which is the nearer to the films' rest the better its triangles are.
-    fill_in("remeshing.max_volume_change", 0.002);
-    fill_in("remeshing.smooth_below", 45.0);
-    fill_in("remeshing.longest_edge", 1.35);
-  }
-  return used;
-}
-
-std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue) {
-  std::vector<base::OptionSpec> specs = general_option_specs(catalogue);
-  for (base::OptionSpec& spec : lostopos::tracker_option_specs(tracker_defaults())) specs.push_back(std::move(spec));
-  append_options(specs, catalogue.effects);
-  append_options(specs, catalogue.constraints);
-  append_options(specs, catalogue.sheet.pressures);
-  append_options(specs, catalogue.sheet.areas);
-  append_options(specs, catalogue.sheet.velocities);
-  append_options(specs, catalogue.integrators);
-  append_options(specs, catalogue.dynamics);
-  return specs;
-}
-
-std::vector<base::OptionSpec> all_option_specs(const Catalogue& catalogue) {
-  std::vector<base::OptionSpec> specs;
-  const auto add = [&specs](const std::vector<base::OptionSpec>& more) {
-    for (const base::OptionSpec& spec : more)
-      if (std::ranges::find(specs, spec.key, &base::OptionSpec::key) == specs.end()) specs.push_back(spec);
-  };
-  for (const SceneEntry& scene : catalogue.scenes) add(scene.options);
-  add(common_option_specs(catalogue));
-  return specs;
-}
-
-base::OptionSet options_of(const Catalogue& catalogue, const SceneEntry* scene) {
-  std::vector<base::OptionSpec> specs, elsewhere;
-  if (scene != nullptr) specs = scene->options;
-  for (base::OptionSpec& spec : common_option_specs(catalogue)) specs.push_back(std::move(spec));
-  for (const SceneEntry& other : catalogue.scenes)
-    if (scene == nullptr || other.name != scene->name)
-      elsewhere.insert(elsewhere.end(), other.options.begin(), other.options.end());
-  base::OptionSet options(std::move(specs), "foamsim scenes", std::move(elsewhere));
-  if (scene != nullptr)
-    for (const auto& [key, value] : scene->defaults) options.set_default(key, value);
-  return options;
-}
 
 Scene built_in_scene(std::string_view name, std::shared_ptr<const Catalogue> catalogue) {
   const SceneEntry& entry = catalogue->scenes.find(name);
@@ -292,20 +101,6 @@ Scene load_scene(const std::string& what, std::shared_ptr<const Catalogue> catal
   if (extension == ".txt") return read_reference_options(what, std::move(catalogue));
   if (lostopos::find_mesh_format(what) != nullptr) return mesh_scene(what, std::move(catalogue));
   return built_in_scene(what, std::move(catalogue));
-}
-
-void validate(const Scene& scene, std::span<const std::string> also_used) {
-  refuse_for_conservative(scene.options);
-  refuse_for_stepping(scene.options);
-  if (scene.options.number("dt") == 0 && scene.options.word("dynamics") == "vortex-sheet")
-    throw base::InputError(
-        "dt=auto is for dynamics=conservative, whose longest stable step is known; with dynamics=vortex-sheet give dt "
-        "as a number: 0.9 h^1.5 / sqrt(sigma) for edges of a length h is near what it bears");
-  for (const base::OptionSpec& spec : scene.options.specs()) {
-    const auto& [kind, name] = spec.owner;
-    if (kind.empty() || !scene.options.is_set(spec.key) || uses(scene.options, spec.owner, also_used)) continue;
-    throw base::InputError(not_used_message(spec, scene.options));
-  }
 }
 
 std::string start_file(const Scene& scene) {
@@ -336,7 +131,7 @@ SimulationParts simulation_parts(const Scene& scene, double resolution, const st
   parts.effects = make_effects(catalogue.effects, effects_of(options),
                                {options, resolution, catalogue.sheet, parts.dynamics->takes_tension()});
   for (const ConstraintEntry& entry : catalogue.constraints) {
-    if (!contains(options.words("constraints"), entry.name)) continue;
+    if (!names_have(options.words("constraints"), entry.name)) continue;
     if (auto constraint = entry.make({options, resolution, edges})) parts.constraints.push_back(std::move(constraint));
   }
   return parts;

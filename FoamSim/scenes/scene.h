@@ -6,6 +6,7 @@
 #include "Base/options/option_set.h"
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/scenes/catalogue.h"
+#include "FoamSim/scenes/scene_options.h"
 
 namespace foamsim {
 
@@ -17,22 +18,6 @@ struct Scene {
   std::vector<std::string> notes;              ///< what was read and has no meaning here, for the user to know
   std::shared_ptr<const Catalogue> catalogue;  ///< what its names mean; not null
 };
-
-/// What acts on the films. Conservative dynamics that are not told otherwise leave out `diffusion`, which can win
-/// energy there, and keep volumes.
-std::vector<std::string> effects_of(const base::OptionSet& options);
-
-/// The options as the scene uses them: with the defaults that other options bring along (those of `conservative`:
-/// effects and bounds of remeshing) filled in.
-base::OptionSet options_in_use(const base::OptionSet& options);
-
-/// The options that every scene has, with their defaults: the general ones, the tracker's, and those of every effect,
-/// strategy and so on of the catalogue.
-std::vector<base::OptionSpec> common_option_specs(const Catalogue& catalogue);
-/// These and the own ones of all scenes, each key once: what --set may be followed by.
-std::vector<base::OptionSpec> all_option_specs(const Catalogue& catalogue);
-/// The options of a built-in scene, its own first, or with null of a scene that starts from a mesh file.
-base::OptionSet options_of(const Catalogue& catalogue, const SceneEntry* scene);
 
 /// A scene that starts from a mesh file, with the defaults.
 Scene mesh_scene(const std::string& file, std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());

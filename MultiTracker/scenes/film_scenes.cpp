@@ -18,10 +18,6 @@ namespace {
 constexpr double box_width = 1.2, box_height = 0.6, box_depth = 0.6;
 constexpr double ring_radius = 0.5;
 
-base::OptionSpec subdivisions(long count) {
-  return base::whole_number("subdivisions", count, 0, "of each triangle of the start surface into four");
-}
-
 base::OptionSpec time_step(double dt) {
   return base::positive_number("dt", dt, "time step");
 }

@@ -26,11 +26,6 @@ SurfaceMesh sphere_at(const Vec3& centre, double radius, const base::OptionSet& 
   return mesh;
 }
 
-base::OptionSpec subdivisions(long count) {
-  return {"subdivisions", count, "of each triangle of the start surface into four", "0 to 8",
-          [](const base::OptionValue& value) { return std::get<long>(value) >= 0 && std::get<long>(value) <= 8; }};
-}
-
 // One period of a velocity field in the number of steps there are.
 Drive one_period(std::unique_ptr<Flow> flow, const base::OptionSet& options) {
   const double dt = flow->period() / static_cast<double>(std::max(1L, options.whole("period_steps")));

@@ -6,6 +6,9 @@
 
 namespace multitracker {
 
+/// The option "subdivisions" of a scene's start surface, 0 to 8.
+base::OptionSpec subdivisions(long count);
+
 /// enright, rotation, zalesak, noise: carried by velocity fields.
 std::vector<SceneEntry> prescribed_scenes();
 /// normal-flow, merge, coalescence, cyclicflow: films that move along their normals.

@@ -1,5 +1,6 @@
 #include "FoamSim/dynamics/implicit.h"
 
+#include <limits>
 #include <unsupported/Eigen/IterativeSolvers>
 
 #include "Base/error.h"
@@ -71,6 +72,9 @@ constexpr double linear_tolerance = 1e-10;
 constexpr int most_linear_rounds = 300;
 constexpr int rounds_before_restart = 60;
 
+// Where Newton's method goes round in circles, it ends with the least residual that it has seen.
+constexpr long most_rounds_without_gain = 5;
+
 void require_finite(const Eigen::VectorXd& change, const char* integrator) {
   if (!change.allFinite())
     throw base::Error(std::string("integrator=") + integrator +
@@ -91,11 +95,20 @@ Eigen::VectorXd newton_step(const ImplicitTension& equation, const Eigen::Vector
 
 long Implicit::kick(const CirculationKick& kick) {
   ImplicitTension equation(kick);
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(equation.size());
-  long round = 0;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(equation.size()), best = change;
+  double least = std::numeric_limits<double>::infinity();
+  long round = 0, since_best = 0;
   for (double correction = 1; correction >= implicit_tolerance && round < most_implicit_rounds; ++round) {
     const Eigen::VectorXd residual = equation.residual(change);
     require_finite(residual, "implicit");
+    if (residual.norm() < least) {
+      least = residual.norm();
+      best = change;
+      since_best = 0;
+    } else if (++since_best == most_rounds_without_gain) {
+      equation.add(best);
+      return most_implicit_rounds;
+    }
     equation.linearise();
     const Eigen::VectorXd step = newton_step(equation, residual);
     require_finite(step, "implicit");

@@ -12,8 +12,9 @@ inline constexpr long most_pbd_unknowns = 3000;
 
 /// Tension acts implicitly on circulation: ΔΓ = dt σ (H^p − H^q)(x + dt u(Γ + ΔΓ)), see ImplicitTension, by Newton's
 /// method with GMRES for its linear systems; then Γ + ΔΓ moves the vertices as with Euler. Bears any step, and damps
-/// what the step does not resolve. It drives films with twice their explicit curvature, see SineCurvature, as the
-/// published program does.
+/// what the step does not resolve. Where the iteration gains nothing in five rounds, it ends with the least residual
+/// and counts as not solved. It drives films with twice their explicit curvature, see SineCurvature, as the published
+/// program does.
 class Implicit : public Integrator {
  public:
   bool takes_tension() const override { return true; }

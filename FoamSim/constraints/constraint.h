@@ -28,8 +28,17 @@ struct AirChange {
 
 /// Where held vertices go in a step, by vertex slot; for dynamics that make the air go along by themselves.
 struct HeldMotion {
-  std::vector<std::uint8_t> driven;         ///< not zero: the films there take the air along
+  std::vector<std::uint8_t> driven;         ///< not zero: it goes where it is sent
+  std::vector<std::uint8_t> takes_air;      ///< not zero: and the films there take the air along
   std::vector<lostopos::Vec3> before, now;  ///< velocity as the step begins, and during it, L/T
+
+  /// Makes room for all of the mesh; what is there stays.
+  void resize(std::size_t vertex_slots) {
+    driven.resize(vertex_slots, 0);
+    takes_air.resize(vertex_slots, 0);
+    before.resize(vertex_slots, lostopos::Vec3::Zero());
+    now.resize(vertex_slots, lostopos::Vec3::Zero());
+  }
 };
 
 /// Something that holds vertices: it prescribes where they go, whole or coordinate by coordinate, and may change Γ so

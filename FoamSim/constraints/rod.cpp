@@ -87,12 +87,16 @@ void Rod::advance(const EffectStep& step) {
   for (std::size_t i = 0; i < vertices.size(); ++i) (*velocities_)[vertices[i]] = v[i];
 }
 
+std::vector<std::uint8_t> Rod::wired() const {
+  std::vector<std::uint8_t> wired;
+  for (std::int32_t place : places_->slots()) wired.push_back(place > 0 ? 1 : 0);
+  return wired;
+}
+
 AirChange Rod::correct_circulation(const EffectStep& step, CirculationField& circulation, const SheetAir& air) {
   advance(step);
   if (!air.velocity) return {};
-  std::vector<std::uint8_t> wired;
-  for (std::int32_t place : places_->slots()) wired.push_back(place > 0 ? 1 : 0);
-  return air_.solve(step, wired, targets_, circulation, air);
+  return air_.solve(step, wired(), targets_, circulation, air);
 }
 
 void Rod::add_velocity(const Stage& stage, std::span<Vec3> velocity) {
@@ -100,15 +104,15 @@ void Rod::add_velocity(const Stage& stage, std::span<Vec3> velocity) {
 }
 
 void Rod::tell_motion(const EffectStep& step, HeldMotion& motion) const {
-  motion.driven.resize(step.mesh.vertex_slots(), 0);
-  motion.before.resize(step.mesh.vertex_slots(), Vec3::Zero());
-  motion.now.resize(step.mesh.vertex_slots(), Vec3::Zero());
+  motion.resize(step.mesh.vertex_slots());
+  const std::vector<std::uint8_t> air = air_.takes_air(step, wired());
   // Of the reference's rod two steps make one here.
   const double ticks = options_.reference ? 2 : 1;
   for (Vertex v : step.mesh.vertices()) {
     if ((*places_)[v] == 0 || !(step.dt > 0)) continue;
     motion.driven[v.index()] = 1;
     motion.before[v.index()] = ticks * before_[v.index()];
+    motion.takes_air[v.index()] = air[v.index()];
     motion.now[v.index()] = (targets_[v.index()] - step.mesh.position(v)) / step.dt;
   }
 }

@@ -41,6 +41,7 @@ class Rod final : public Constraint {
   void make_chain(std::vector<double> lengths, std::vector<char> fixed);
   std::vector<RodFilm> films(const EffectStep& step, const std::vector<lostopos::Vertex>& vertices,
                              std::span<const lostopos::Vec3> x) const;
+  std::vector<std::uint8_t> wired() const;
   // Takes the rod from the step's start to its end.
   void advance(const EffectStep& step);
 

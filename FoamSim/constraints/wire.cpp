@@ -102,14 +102,14 @@ void Wire::add_velocity(const Stage& stage, std::span<Vec3> velocity) {
 }
 
 void Wire::tell_motion(const EffectStep& step, HeldMotion& motion) const {
-  motion.driven.resize(step.mesh.vertex_slots(), 0);
-  motion.before.resize(step.mesh.vertex_slots(), Vec3::Zero());
-  motion.now.resize(step.mesh.vertex_slots(), Vec3::Zero());
+  motion.resize(step.mesh.vertex_slots());
+  const std::vector<std::uint8_t> air = air_.takes_air(step, wired());
   for (Vertex v : step.mesh.vertices()) {
     const Path path = (*paths_)[v];
     if (path == none || !(step.dt > 0)) continue;
     motion.driven[v.index()] = 1;
     motion.now[v.index()] = displacement(path, step.time, step.time + step.dt) / step.dt;
+    motion.takes_air[v.index()] = air[v.index()];
     // Before the first step all stand still.
     if (step.time > 0) motion.before[v.index()] = displacement(path, step.time - step.dt, step.time) / step.dt;
   }

@@ -78,6 +78,16 @@ AirChange WireAir::solve(const EffectStep& step, std::span<const std::uint8_t> w
   return change;
 }
 
+std::vector<std::uint8_t> WireAir::takes_air(const EffectStep& step, std::span<const std::uint8_t> wired) const {
+  const WireFilms films(step, wired);
+  std::vector<std::uint8_t> takes(wired.size(), 0);
+  if (options_.interior)
+    for (const HeldFilm& film : films.inside) takes[film.vertex.index()] = 1;
+  if (options_.open_boundary)
+    for (const HeldFilm& film : films.at_open_edges) takes[film.vertex.index()] = 1;
+  return takes;
+}
+
 void WireAir::add_velocity(const Stage& stage, std::span<Vec3> velocity) const {
   if (edges_.empty()) return;
   VortexSources sources;

@@ -23,6 +23,9 @@ class WireAir {
   /// the wires hold.
   AirChange solve(const EffectStep& step, std::span<const std::uint8_t> wired, std::span<const lostopos::Vec3> targets,
                   CirculationField& circulation, const SheetAir& air);
+  /// By vertex slot, not zero where the air has to go along according to the options, for dynamics that see to it by
+  /// themselves: inside films, and at open edges.
+  std::vector<std::uint8_t> takes_air(const EffectStep& step, std::span<const std::uint8_t> wired) const;
   /// Adds the velocity (L/T) that the vortices of the last solve give to vertices at stage.positions.
   void add_velocity(const Stage& stage, std::span<lostopos::Vec3> velocity) const;
 

@@ -119,7 +119,7 @@ void Conservative::evaluate(StepScope& scope, double after, std::span<const Vec3
   if (options_.inertia) motion_->add_inertia(films_, shape_, x, rates.x, force_);
   press(rates.phi);
   slip_power_ = unbalanced_power(films_, shape_, force_, pressure_, rates.x);
-  if (drives_air()) slip_power_ -= driven_->power(force_);
+  if (drives()) slip_power_ -= driven_->power(force_);
 }
 
 void Conservative::move(StepScope& scope, std::span<const Vec3> x, std::span<const double> phi,

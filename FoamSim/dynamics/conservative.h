@@ -86,8 +86,9 @@ class Conservative final : public Dynamics {
   // Tells of what flows through mouths in dt.
   void let_in(StepScope& scope, double dt, std::span<const double> flux) const;
   void begin_wires(StepScope& scope);
-  // Whether vertices are driven by wires with which the air has to go.
-  bool drives_air() const { return driven_->acts() && !sheet_sum_; }
+  // Whether wires drive vertices, and whether there are some with which the air has to go.
+  bool drives() const { return driven_->acts() && !sheet_sum_; }
+  bool drives_air() const { return driven_->takes_air() && !sheet_sum_; }
   // At the start of a step: φ_ for which the air goes with wires as they move now. Whether anything was changed.
   bool start_wires(StepScope& scope, std::span<const lostopos::Vec3> x);
   // The same within a kick, from φ_ to new_phi_; leaves change_ as that of the whole kick. Returns the wires' work.

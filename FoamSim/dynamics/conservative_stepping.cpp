@@ -77,7 +77,7 @@ void Conservative::kick_drift(const Substep& step, Positions& x) {
   let_in(scope, dt, flux);
   move(scope, x, new_phi_, flux, rates_.x);
   expect_kinetic_energy(dt, x, flux);
-  const double inertia_work = drives_air() ? dt * driven_->power(force_) : 0;
+  const double inertia_work = drives() ? dt * driven_->power(force_) : 0;
   if (first) {
     report_state(scope, kinetic, stage_phi_);
     remember(scope, kinetic + scope.report().potential_energy, stage_phi_);

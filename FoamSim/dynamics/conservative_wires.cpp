@@ -10,8 +10,8 @@ using lostopos::Vec3;
 // Through a mouth air flows as it is blown, not as a wire says.
 void Conservative::begin_wires(StepScope& scope) {
   HeldMotion motion = scope.held_motion();
-  for (std::size_t v = 0; v < motion.driven.size(); ++v)
-    if (scope.step().is_mouth(lostopos::Vertex(v))) motion.driven[v] = 0;
+  for (std::size_t v = 0; v < motion.takes_air.size(); ++v)
+    if (scope.step().is_mouth(lostopos::Vertex(v))) motion.takes_air[v] = 0;
   driven_->begin(std::move(motion));
 }
 
@@ -48,7 +48,7 @@ void Conservative::count_work(StepScope& scope, double work) {
 }
 
 void Conservative::count_surface_work(StepScope& scope, std::span<const Vec3> x) {
-  if (!drives_air()) return;
+  if (!drives()) return;
   force_.assign(films_.vertex_slots(), Vec3::Zero());
   scope.add_force(0, scope.positions(), force_);
   scope.add_force(scope.step().dt, x, force_);
@@ -56,7 +56,7 @@ void Conservative::count_surface_work(StepScope& scope, std::span<const Vec3> x)
 }
 
 void Conservative::count_inertia_work(StepScope& scope, double dt, std::span<const Vec3> x) {
-  if (!drives_air()) return;
+  if (!drives()) return;
   force_.assign(films_.vertex_slots(), Vec3::Zero());
   motion_->add_inertia(films_, shape_, x, rates_.x, force_);
   count_work(scope, dt * driven_->power(force_));

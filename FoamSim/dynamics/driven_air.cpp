@@ -6,6 +6,11 @@ namespace foamsim {
 
 using lostopos::Vec3;
 
+void DrivenAir::begin(HeldMotion motion) {
+  motion_ = std::move(motion);
+  takes_air_ = std::ranges::any_of(motion_.takes_air, [](std::uint8_t takes) { return takes != 0; });
+}
+
 bool DrivenAir::jumps() const {
   return motion_.before != motion_.now;
 }
@@ -31,12 +36,12 @@ double DrivenAir::work(std::span<const Vec3> force_sum, std::span<const Vec3> fr
 
 double DrivenAir::hold(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
                        std::span<const double> flux, bool jump, std::span<double> phi, long& iterations) {
-  flux_.update(films, shape, positions, motion_.driven);
+  flux_.update(films, shape, positions, motion_.takes_air);
   const std::vector<double> had(phi.begin(), phi.end());
   iterations = std::max(iterations, flux_.solve(flux, motion_.now, phi));
   double work = 0;
-  for (std::size_t v = 0; v < motion_.driven.size(); ++v) {
-    if (motion_.driven[v] == 0) continue;
+  for (std::size_t v = 0; v < motion_.takes_air.size(); ++v) {
+    if (motion_.takes_air[v] == 0) continue;
     const Vec3 both = motion_.now[v] + (jump ? motion_.before[v] : motion_.now[v]);
     for (std::size_t e = films.first_entry[v]; e < films.first_entry[v + 1]; ++e)
       work -= (phi[e] - had[e]) * shape.region_gradient[e].dot(both);

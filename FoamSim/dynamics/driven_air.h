@@ -5,15 +5,17 @@
 
 namespace foamsim {
 
-/// What wires and rods do to the air in the conservative dynamics: at the vertices that they drive the flux is that of
-/// their motion, and the potentials are what that takes.
+/// What wires and rods do in the conservative dynamics: vertices go as they are driven, and where the air has to go
+/// along the flux is that of their motion, and the potentials are what that takes.
 class DrivenAir {
  public:
   DrivenAir(double delta, const NearField& near) : flux_(delta, near) {}
 
   /// The motion during the step that begins; empty: nothing is driven, and nothing of this acts.
-  void begin(HeldMotion motion) { motion_ = std::move(motion); }
+  void begin(HeldMotion motion);
   bool acts() const { return !motion_.driven.empty(); }
+  /// Whether the air has to go along anywhere.
+  bool takes_air() const { return takes_air_; }
   /// Whether a velocity is another one than in the step before.
   bool jumps() const;
 
@@ -25,14 +27,15 @@ class DrivenAir {
   double work(std::span<const lostopos::Vec3> force_sum, std::span<const lostopos::Vec3> from,
               std::span<const lostopos::Vec3> to) const;
 
-  /// Changes φ at driven vertices so that `flux`, which is that of φ, becomes that of their motion; `iterations` is
-  /// raised to what that took. Returns the work of the forces for it, L⁵/T²: −Σ Δφ a·(w + w'), w' the velocity now and
-  /// w that before where the change is one of velocity (`jump`), else the same.
+  /// Changes φ where the air has to go along so that `flux`, which is that of φ, becomes that of their motion;
+  /// `iterations` is raised to what that took. Returns the work of the forces for it, L⁵/T²: −Σ Δφ a·(w + w'), w' the
+  /// velocity now and w that before where the change is one of velocity (`jump`), else the same.
   double hold(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> positions,
               std::span<const double> flux, bool jump, std::span<double> phi, long& iterations);
 
  private:
   HeldMotion motion_;
+  bool takes_air_ = false;
   HeldFlux flux_;
 };
 

@@ -30,7 +30,9 @@ TEST(TrackerOptionFiles, EveryKeyHasAMeaningOrAReason) {
     EXPECT_TRUE(names.insert(key.name).second) << key.name << " is there twice";
     EXPECT_EQ(key.use == KeyUse::without, key.ours.empty()) << key.name;
     EXPECT_TRUE(key.use == KeyUse::as_it_is || !key.meaning.empty()) << key.name;
-    if (key.use == KeyUse::as_it_is) EXPECT_TRUE(options.has(key.ours)) << key.ours;
+    if (key.use == KeyUse::as_it_is) {
+      EXPECT_TRUE(options.has(key.ours)) << key.ours;
+    }
   }
 }
 

@@ -88,8 +88,9 @@ TEST(ReferenceKeys, AreThoseOfTheReferenceEachWithAMeaningOrAReason) {
     EXPECT_TRUE(ours.insert(key.name).second) << key.name << " is there twice";
     EXPECT_EQ(key.use == KeyUse::without, key.ours.empty()) << key.name;
     EXPECT_TRUE(key.use == KeyUse::as_it_is || !key.meaning.empty()) << key.name;
-    if (key.use == KeyUse::as_it_is)
+    if (key.use == KeyUse::as_it_is) {
       EXPECT_NE(std::ranges::find(options, key.ours, &base::OptionSpec::key), options.end()) << key.ours;
+    }
   }
   EXPECT_EQ(ours, theirs);
 }

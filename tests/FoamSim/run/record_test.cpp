@@ -18,7 +18,10 @@ using ::test::ScratchFolder;
 fs::path run_of(const ScratchFolder& scratch, const std::string& lines, long steps) {
   std::ofstream(scratch / "options.txt") << lines;
   const fs::path out = scratch.path() / "out";
-  run_scene(load_scene(scratch / "options.txt"), {.out = out, .stop = {.steps = steps}});
+  RunSettings settings;
+  settings.out = out;
+  settings.stop.steps = steps;
+  run_scene(load_scene(scratch / "options.txt"), settings);
   return out;
 }
 

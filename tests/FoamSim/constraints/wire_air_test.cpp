@@ -18,7 +18,6 @@
 namespace foamsim {
 namespace {
 
-using lostopos::Hold;
 using lostopos::Labels;
 using lostopos::SurfaceMesh;
 using lostopos::Triangle;
@@ -111,6 +110,7 @@ TEST(WireInside, SolvesTheRegularisedLeastSquaresOfTheMethod) {
   ASSERT_GT(n, 10);
   const std::vector<Vec3> before = film.velocities();
   std::vector<double> had;
+  had.reserve(held.size());
   for (Vertex v : held) had.push_back(film.circulation.get(v, air_inside));
 
   const Eigen::MatrixXd a = interior_matrix(mesh, held);

@@ -19,7 +19,6 @@
 namespace foamsim {
 namespace {
 
-using lostopos::Hold;
 using lostopos::Labels;
 using lostopos::SurfaceMesh;
 using lostopos::Triangle;

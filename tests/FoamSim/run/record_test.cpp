@@ -17,7 +17,7 @@ using ::test::ScratchFolder;
 // The meshes of a run of the option file, every `frames` ticks.
 fs::path run_of(const ScratchFolder& scratch, const std::string& lines, long steps) {
   std::ofstream(scratch / "options.txt") << lines;
-  const fs::path out = scratch.path() / "out";
+  fs::path out = scratch.path() / "out";
   RunSettings settings;
   settings.out = out;
   settings.stop.steps = steps;

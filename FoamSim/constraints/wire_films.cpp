@@ -8,7 +8,6 @@
 namespace foamsim {
 
 using lostopos::Edge;
-using lostopos::Labels;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::Triangle;

@@ -52,9 +52,11 @@ Vec3 farthest_direction(const SurfaceMesh& mesh, const std::vector<Vertex>& vert
 std::vector<char> parted_in_the_middle(const SurfaceMesh& mesh, const std::vector<Vertex>& vertices,
                                        const Vec3& along) {
   std::vector<double> at;
+  at.reserve(vertices.size());
   for (Vertex v : vertices) at.push_back(along.dot(mesh.position(v)));
   const auto [low, high] = std::ranges::minmax(at);
   std::vector<char> second;
+  second.reserve(at.size());
   for (double value : at) second.push_back(value > (low + high) / 2 ? 1 : 0);
   return second;
 }

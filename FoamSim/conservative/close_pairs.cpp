@@ -36,12 +36,15 @@ Cube cube_of(const Vec3& x, const Vec3& origin, double size) {
 // Points sorted by cubes as wide as the distance: those close to one lie in its own and the 26 around it.
 class Cubes {
  public:
-  Cubes(std::span<const Vec3> points, double size) : square_(size * size), places_(points.size()), x_(points.size()) {
+  Cubes(std::span<const Vec3> points, double size) : square_(size * size), places_(points.size()) {
     for (std::size_t i = 0; i < points.size(); ++i)
       places_[i] = {cube_of(points[i], points[0], size), static_cast<std::uint32_t>(i)};
     std::ranges::sort(places_);
+    points_.reserve(places_.size());
+    x_.reserve(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      x_[i] = points[places_[i].point];
+      points_.push_back(places_[i].point);
+      x_.push_back(points[places_[i].point]);
       if (i == 0 || places_[i].cube != places_[i - 1].cube) first_.push_back(i);
     }
     first_.push_back(places_.size());
@@ -49,14 +52,26 @@ class Cubes {
 
   std::size_t count() const { return first_.size() - 1; }
 
-  // Calls what(i, j) for every point i in cube c and every j close to it.
-  template <class What>
-  void for_each_close(std::size_t c, What what) const {
+  // The points in cube c, in order.
+  std::span<const std::uint32_t> points(std::size_t c) const {
+    return std::span(points_).subspan(first_[c], first_[c + 1] - first_[c]);
+  }
+
+  // Lists of what is close to the points in cube c, one behind the other, and their ends.
+  void list_close(std::size_t c, std::vector<std::uint32_t>& close, std::vector<std::size_t>& ends) const {
     const auto around = ranges_around(places_[first_[c]].cube);
-    for (std::size_t i = first_[c]; i < first_[c + 1]; ++i)
+    std::size_t candidates = 0, found = 0;
+    for (const auto& [begin, end] : around) candidates += end - begin;
+    for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
+      close.resize(found + candidates);
       for (const auto& [begin, end] : around)
-        for (std::size_t j = begin; j < end; ++j)
-          if ((x_[j] - x_[i]).squaredNorm() <= square_) what(places_[i].point, places_[j].point);
+        for (std::size_t j = begin; j < end; ++j) {  // no branch: one in three is close, in no order
+          close[found] = points_[j];
+          found += (x_[j] - x_[i]).squaredNorm() <= square_ ? 1 : 0;
+        }
+      ends.push_back(found);
+    }
+    close.resize(found);
   }
 
  private:
@@ -77,7 +92,8 @@ class Cubes {
 
   double square_;
   std::vector<Place> places_;
-  std::vector<Vec3> x_;             // of the places
+  std::vector<std::uint32_t> points_;  // of the places
+  std::vector<Vec3> x_;
   std::vector<std::size_t> first_;  // places of each cube that has any, and their end
 };
 
@@ -90,20 +106,22 @@ ClosePairs close_pairs(std::span<const Vec3> points, double distance, std::size_
   if (points.empty()) return pairs;
   for (int halvings = 0; halvings <= most_halvings; ++halvings, distance /= 2) {
     const Cubes cubes(points, distance);
-    std::vector<std::uint32_t> counts(points.size(), 0);
-    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) {
-      cubes.for_each_close(c, [&](std::uint32_t i, std::uint32_t) { ++counts[i]; });
-    });
-    const std::size_t total = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    std::vector<std::vector<std::uint32_t>> close(cubes.count());
+    std::vector<std::vector<std::size_t>> ends(cubes.count());
+    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) { cubes.list_close(c, close[c], ends[c]); });
+    std::size_t total = 0;
+    for (const auto& list : close) total += list.size();
     if (total > most * points.size() && halvings < most_halvings) continue;
-    for (std::size_t i = 0; i < points.size(); ++i) pairs.first[i + 1] = pairs.first[i] + counts[i];
+    for (std::size_t c = 0; c < cubes.count(); ++c)
+      for (std::size_t i = 0, begin = 0; i < ends[c].size(); begin = ends[c][i++])
+        pairs.first[cubes.points(c)[i] + 1] = static_cast<std::uint32_t>(ends[c][i] - begin);
+    std::partial_sum(pairs.first.begin(), pairs.first.end(), pairs.first.begin());
     pairs.other.resize(total);
     base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) {
-      cubes.for_each_close(
-          c, [&](std::uint32_t i, std::uint32_t j) { pairs.other[pairs.first[i + 1] - counts[i]--] = j; });
-    });
-    base::parallel_for_each(points.size(), grain, [&](std::size_t i) {
-      std::sort(pairs.other.begin() + pairs.first[i], pairs.other.begin() + pairs.first[i + 1]);
+      for (std::size_t i = 0, begin = 0; i < ends[c].size(); begin = ends[c][i++])
+        std::copy(close[c].begin() + static_cast<std::ptrdiff_t>(begin),
+                  close[c].begin() + static_cast<std::ptrdiff_t>(ends[c][i]),
+                  pairs.other.begin() + pairs.first[cubes.points(c)[i]]);
     });
     break;
   }

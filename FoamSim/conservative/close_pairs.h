@@ -8,7 +8,8 @@
 
 namespace foamsim {
 
-/// Which points are close to which, each to itself included: a list for every point, ascending.
+/// Which points are close to which, each to itself included: a list for every point, in an order that is the same for
+/// any number of threads.
 struct ClosePairs {
   std::vector<std::uint32_t> first;  ///< by point + 1, into `other`
   std::vector<std::uint32_t> other;

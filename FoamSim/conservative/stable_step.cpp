@@ -23,19 +23,24 @@ double scattered(std::size_t i) {
   return static_cast<double>(hashed % 65536) / 32768 - 1;
 }
 
-// H y, L⁴/T² for y in L.
+// H y, L⁴/T² for y in L; `tilt` is scratch, by triangle.
 void restoring_force(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> x, double tension,
-                     const Vectors& y, Vectors& force) {
+                     const Vectors& y, Vectors& tilt, Vectors& force) {
+  tilt.resize(films.corners.size());
+  base::parallel_for_each(tilt.size(), film_grain, [&](std::size_t t) {
+    tilt[t].setZero();
+    if (!(shape.area[t] > 0)) return;
+    const Vec3 normal = shape.area_vector[t] / shape.area[t];
+    for (std::size_t k = 0; k < 3; ++k) tilt[t] += opposite_edge(films, t, k, x) * normal.dot(y[films.corners[t][k]]);
+    tilt[t] *= tension / (4 * shape.area[t]);
+  });
   force.resize(y.size());
   base::parallel_for_each(y.size(), film_grain, [&](std::size_t v) {
     Vec3 sum = Vec3::Zero();
     for (std::uint32_t corner : films.around(v)) {
       const std::size_t t = corner / 3;
       if (!(shape.area[t] > 0)) continue;
-      const Vec3 normal = shape.area_vector[t] / shape.area[t];
-      Vec3 slope = Vec3::Zero();
-      for (std::size_t k = 0; k < 3; ++k) slope += opposite_edge(films, t, k, x) * normal.dot(y[films.corners[t][k]]);
-      sum += tension / (4 * shape.area[t]) * opposite_edge(films, t, corner % 3, x).dot(slope) * normal;
+      sum += opposite_edge(films, t, corner % 3, x).dot(tilt[t]) / shape.area[t] * shape.area_vector[t];
     }
     force[v] = sum;
   });
@@ -48,11 +53,11 @@ double stable_step(const FilmConnectivity& films, const FilmShape& shape, std::s
   constexpr int rounds = 8;
   constexpr double from_below = 1.25;
   if (!(tension > 0) || films.corners.empty()) return std::numeric_limits<double>::infinity();
-  Vectors y(films.vertex_slots()), force, moved;
+  Vectors y(films.vertex_slots()), tilt, force, moved;
   for (std::size_t v = 0; v < y.size(); ++v) y[v] = Vec3(scattered(3 * v), scattered(3 * v + 1), scattered(3 * v + 2));
   double square = 0;
   for (int round = 0; round < rounds; ++round) {
-    restoring_force(films, shape, positions, tension, y, force);
+    restoring_force(films, shape, positions, tension, y, tilt, force);
     const double size = dot(y, force);
     if (!(size > 0) || !std::isfinite(size)) break;
     response.evaluate(force, moved);

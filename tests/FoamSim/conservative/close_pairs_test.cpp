@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace foamsim {
@@ -17,6 +18,12 @@ std::vector<Vec3> cloud(std::size_t n) {
   return points;
 }
 
+std::vector<std::uint32_t> sorted(std::span<const std::uint32_t> close) {
+  std::vector<std::uint32_t> list(close.begin(), close.end());
+  std::ranges::sort(list);
+  return list;
+}
+
 TEST(ClosePairs, AreAllThereAre) {
   const std::vector<Vec3> points = cloud(300);
   constexpr double distance = 0.25;
@@ -25,7 +32,7 @@ TEST(ClosePairs, AreAllThereAre) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t j = 0; j < points.size(); ++j)
       if ((points[i] - points[j]).norm() <= distance) expected.push_back(j);
-    EXPECT_EQ(std::vector(pairs.of(i).begin(), pairs.of(i).end()), expected) << i;
+    EXPECT_EQ(sorted(pairs.of(i)), expected) << i;
   }
 }
 
@@ -35,7 +42,8 @@ TEST(ClosePairs, AreMutualAlsoWherePointsCrowd) {
   EXPECT_LE(pairs.other.size(), 20 * points.size());
   EXPECT_GT(pairs.other.size(), points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
-    for (std::uint32_t j : pairs.of(i)) EXPECT_TRUE(std::ranges::binary_search(pairs.of(j), i)) << i << " " << j;
+    for (std::uint32_t j : pairs.of(i))
+      EXPECT_TRUE(std::ranges::binary_search(sorted(pairs.of(j)), i)) << i << " " << j;
 }
 
 TEST(ClosePairs, OfNothingAreNone) {

@@ -55,6 +55,14 @@ void list_sheets(FilmConnectivity& films) {
   }
 }
 
+void find_inner(FilmConnectivity& films) {
+  films.inner.assign(films.vertex_slots(), 1);
+  const auto one_film = [&films](std::uint32_t v) { return films.first_sheet[v + 1] - films.first_sheet[v] == 1; };
+  for (const auto& triangle : films.corners)
+    if (!std::ranges::all_of(triangle, one_film))
+      for (std::uint32_t v : triangle) films.inner[v] = 0;
+}
+
 }  // namespace
 
 void FilmConnectivity::update(const SurfaceMesh& mesh, const SurfaceGeometry& geometry,
@@ -80,6 +88,7 @@ void FilmConnectivity::update(const SurfaceMesh& mesh, const SurfaceGeometry& ge
   });
   list_corners(*this);
   list_sheets(*this);
+  find_inner(*this);
   first_entry.assign(slots + 1, 0);
   regions.clear();
   for (std::size_t v = 0; v < slots; ++v) {

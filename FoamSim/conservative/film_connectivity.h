@@ -25,6 +25,7 @@ struct FilmConnectivity {
   std::vector<std::uint32_t> corner_list;     ///< 3 t + k: the triangles around a vertex, ascending
   std::vector<Corners> sheets;                ///< of (corner, the triangle's film): a vertex has a sheet for each film
   std::vector<std::uint32_t> first_sheet;     ///< by vertex slot + 1
+  std::vector<std::uint8_t> inner;            ///< by vertex slot, not zero: one film here and at all neighbours
   std::vector<std::uint32_t> first_entry;     ///< by vertex slot + 1
   std::vector<lostopos::Region> regions;      ///< by entry
   std::vector<std::uint8_t> held;             ///< by vertex slot, not zero: it stays where it is

@@ -52,6 +52,8 @@ class Conservative final : public Dynamics {
   double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
   /// What the first remeshing does to the area of a rough mesh is no motion: energy counts from behind it.
   bool remeshes_start() const override { return true; }
+  /// At a free edge tension pulls along the film, and there is no air that would have to move for it.
+  bool needs_held_edges() const override { return true; }
   /// `safety` of what the stiffest films bear, but no less than √(h̄³/tension)/4, about half of what regular triangles
   /// at a Plateau border do: shorter steps in a few places are left to substeps.
   double suitable_dt(const EffectStep& step, double tension) override;

@@ -96,6 +96,8 @@ class Dynamics {
   /// The longest step (T) that suits films of such a tension (sum of the effects', L³/T²) as they lie; infinite: any
   /// does; 0: the dynamics cannot tell.
   virtual double suitable_dt(const EffectStep& /*step*/, double /*tension*/) { return 0; }
+  /// Whether films that end at a free edge have to be held there: where nothing else holds anything, a frame does.
+  virtual bool needs_held_edges() const { return false; }
   /// Whether it changes Γ by the films' tension itself, so that the effect must not.
   virtual bool takes_tension() const { return false; }
 

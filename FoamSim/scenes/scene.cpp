@@ -130,8 +130,10 @@ SimulationParts simulation_parts(const Scene& scene, double resolution, const st
           catalogue.dynamics.find(options.word("dynamics")).make({options, catalogue.sheet, catalogue.integrators})};
   parts.effects = make_effects(catalogue.effects, effects_of(options),
                                {options, resolution, catalogue.sheet, parts.dynamics->takes_tension()});
+  std::vector<std::string> constraints = options.words("constraints");
+  if (constraints.empty() && parts.dynamics->needs_held_edges()) constraints.emplace_back("frame");
   for (const ConstraintEntry& entry : catalogue.constraints) {
-    if (!names_have(options.words("constraints"), entry.name)) continue;
+    if (!names_have(constraints, entry.name)) continue;
     if (auto constraint = entry.make({options, resolution, edges})) parts.constraints.push_back(std::move(constraint));
   }
   return parts;

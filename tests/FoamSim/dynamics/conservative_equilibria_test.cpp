@@ -318,5 +318,23 @@ TEST(ConservativeMotion, HasNoGrowingModeAboutRest) {
   EXPECT_LT(growth, 1e-4 * fastest);
 }
 
+// A cylinder of radius 1 and length 1 between rings that are held: the catenoid r = c cosh(y / c), r(1/2) = 1. The
+// scene names no constraint; free edges are held all the same.
+TEST(ConservativeRest, OfABarrelIsACatenoid) {
+  Simulation simulation = make_simulation(
+      conservative("barrel", {"n=32", "m=11", "effects=surface_tension,damping", "damping=0.02", "viscosity=0.1"}));
+  std::vector<Vec3> start(simulation.mesh().positions().begin(), simulation.mesh().positions().end());
+  run_until(simulation, 3);
+  constexpr double neck = 0.8483379380;
+  for (Vertex v : simulation.mesh().vertices()) {
+    const Vec3 x = simulation.mesh().position(v);
+    if (std::abs(std::abs(start[v.index()].y()) - 0.5) < 1e-9) {
+      EXPECT_EQ(x, start[v.index()]);
+    } else {
+      EXPECT_NEAR(std::hypot(x.x(), x.z()), neck * std::cosh(x.y() / neck), 0.01);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace foamsim

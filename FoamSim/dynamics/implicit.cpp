@@ -53,6 +53,7 @@ struct generic_product_impl<foamsim::ImplicitJacobian, Vector, SparseShape, Dens
                                 generic_product_impl<foamsim::ImplicitJacobian, Vector>> {
   using Scalar = double;
   template <class Result>
+  // NOLINTNEXTLINE(readability-identifier-naming): what Eigen calls
   static void scaleAndAddTo(Result& result, const foamsim::ImplicitJacobian& jacobian, const Vector& vector,
                             const Scalar& factor) {
     result += factor * jacobian.equation().apply(vector);

@@ -20,7 +20,7 @@ OptionSpec subdivisions(long default_value, std::string summary, long least) {
   return whole_between(least, 8, default_value, "n", std::move(summary));
 }
 
-OptionSpec number_below(double bound, std::string bound_text, std::string key, double default_value,
+OptionSpec number_below(double bound, const std::string& bound_text, std::string key, double default_value,
                         std::string summary) {
   return {std::move(key), default_value, std::move(summary), "a number between -" + bound_text + " and " + bound_text,
           [bound](const OptionValue& value) { return std::abs(std::get<double>(value)) < bound; }};

@@ -13,7 +13,7 @@ base::OptionSpec whole_between(long least, long most, long default_value, std::s
 base::OptionSpec subdivisions(long default_value, std::string summary, long least = 0);
 
 /// A number whose magnitude is below a bound.
-base::OptionSpec number_below(double bound, std::string bound_text, std::string key, double default_value,
+base::OptionSpec number_below(double bound, const std::string& bound_text, std::string key, double default_value,
                               std::string summary);
 
 }  // namespace foamsim

@@ -80,7 +80,9 @@ class EdgeColumns {
     const double i = (x[across(side)] - low_[across(side)]) * per_length_[side];
     return i > 0 ? static_cast<int>(std::min(i, columns_[side] - 1.0)) : 0;
   }
-  std::size_t column(int i, int j) const { return static_cast<std::size_t>(i * columns_[1] + j); }
+  std::size_t column(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns_[1]) + static_cast<std::size_t>(j);
+  }
 
   int along_ = 0;
   std::array<int, 2> columns_{1, 1};

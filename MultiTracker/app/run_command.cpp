@@ -54,7 +54,8 @@ int exit_code_of(RunEnd end) {
 
 lostopos::SurfaceMesh given_surface(const std::string& file, std::vector<std::string>& notes) {
   lostopos::SurfaceData data = lostopos::read_surface(file);
-  for (const std::string& note : lostopos::tidy_surface(data)) notes.push_back(file + ": " + note);
+  for (const std::string& note : lostopos::tidy_surface(data))
+    notes.push_back(std::string(file).append(": ").append(note));
   return lostopos::to_mesh(data);
 }
 

@@ -44,7 +44,7 @@ std::string repeatable(const std::string& metrics_file) {
   std::string text;
   for (const Row& row : rows_of(metrics_file))
     for (const auto& [column, cell] : row)
-      if (!column.ends_with("_seconds")) text += column + "=" + cell + "\n";
+      if (!column.ends_with("_seconds")) text.append(column).append("=").append(cell).append("\n");
   return text;
 }
 

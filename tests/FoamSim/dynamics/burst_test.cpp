@@ -63,7 +63,7 @@ TEST(ABurst, LeavesTheOtherBubblesTheirVolumesAndCountsItsWork) {
   for (int i = 0; i < 20; ++i) {
     report = films.step();
     if (i == 0) {
-      ASSERT_EQ(report.topology.events.size() > 0, true);
+      ASSERT_FALSE(report.topology.events.empty());
       EXPECT_EQ(report.topology.events[0].kind, lostopos::TopologyOperation::burst);
       EXPECT_EQ(report.topology.events[0].regions, std::vector<Region>{Region(2)});
       EXPECT_LT(report.effect_work, -0.1 * before) << "a film is gone";

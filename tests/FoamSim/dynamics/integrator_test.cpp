@@ -64,7 +64,8 @@ TEST(Integrators, Rk4IsOfFourthOrder) {
 
 TEST(Integrators, Rk4TakesTheTaylorSeriesToTheFourthOrder) {
   // x' = x: one step gives 1 + h + h²/2 + h³/6 + h⁴/24, Euler's 1 + h.
-  const std::vector<Vec3> x{{1, -2, 4}}, u = x;
+  const std::vector<Vec3> x{{1, -2, 4}};
+  const std::vector<Vec3>& u = x;
   const auto velocity = [](std::span<const Vec3> at, std::span<Vec3> out) { std::ranges::copy(at, out.begin()); };
   std::vector<Vec3> predicted;
   constexpr double h = 0.5;
@@ -77,7 +78,8 @@ TEST(Integrators, Rk4TakesTheTaylorSeriesToTheFourthOrder) {
 TEST(Integrators, EvaluateTheVelocityNoMoreOftenThanTheySay) {
   for (const auto& [integrator, expected] : {std::pair("euler", 0), std::pair("rk4", 3)}) {
     int calls = 0;
-    const std::vector<Vec3> x(2, Vec3::Zero()), u = x;
+    const std::vector<Vec3> x(2, Vec3::Zero());
+    const std::vector<Vec3>& u = x;
     std::vector<Vec3> predicted;
     make_integrator(integrator)
         ->advance(0.1, x, u, uncorrected([&calls](std::span<const Vec3>, std::span<Vec3> out) {

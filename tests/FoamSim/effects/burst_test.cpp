@@ -19,7 +19,6 @@ namespace foamsim {
 namespace {
 
 using lostopos::air;
-using lostopos::Labels;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;

@@ -42,9 +42,8 @@ SurfaceMesh torus() {
 }
 
 double wave(Vertex v, int m, int n) {
-  return std::cos(
-      2 * pi *
-      (m * static_cast<double>(v.index() / kRows) / kColumns + n * static_cast<double>(v.index() % kRows) / kRows));
+  const auto column = static_cast<int>(v.index() / kRows), row = static_cast<int>(v.index() % kRows);
+  return std::cos(2 * pi * (m * static_cast<double>(column) / kColumns + n * static_cast<double>(row) / kRows));
 }
 
 struct Stage {

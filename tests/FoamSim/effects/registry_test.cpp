@@ -22,6 +22,7 @@ std::vector<std::unique_ptr<Effect>> make(const std::vector<std::string>& names,
 
 std::vector<std::string_view> names_of(const std::vector<std::unique_ptr<Effect>>& effects) {
   std::vector<std::string_view> names;
+  names.reserve(effects.size());
   for (const auto& effect : effects) names.push_back(effect->name());
   return names;
 }

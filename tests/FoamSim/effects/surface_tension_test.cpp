@@ -17,7 +17,6 @@ namespace foamsim {
 namespace {
 
 using lostopos::air;
-using lostopos::Labels;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using lostopos::Vertex;

@@ -261,7 +261,9 @@ TEST(StartMesh, OctahedronHasARegionBehindEachFace) {
   std::vector<Vec3> held;
   for (int k = 0; k < 3; ++k)
     for (double s : {-1, 1}) held.emplace_back(s * Vec3::Unit(k));
-  for (int k = 0; k < 8; ++k) held.emplace_back((k & 1) - 0.5, (k / 2 & 1) - 0.5, k / 4 - 0.5);
+  for (double x : {-0.5, 0.5})
+    for (double y : {-0.5, 0.5})
+      for (double z : {-0.5, 0.5}) held.emplace_back(x, y, z);
   start.expect_held_at(held);
   start.expect_among_positions({{0.3, 0.3, 0.3}, {-0.3, -0.3, 0.3}, {-0.3, 0.3, -0.3}, {0.3, -0.3, -0.3}});
   double total = 0;

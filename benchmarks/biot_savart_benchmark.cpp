@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "FoamSim/conservative/pair_sums.h"
 #include "FoamSim/sheet/velocity/direct.h"
+#include "FoamSim/sheet/velocity/pair_sums.h"
 
 namespace foamsim {
 namespace {

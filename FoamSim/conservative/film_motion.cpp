@@ -25,7 +25,7 @@ void FilmMotion::evaluate(const FilmConnectivity& films, const FilmShape& shape,
     strength_[t] = gamma;
     sources_.set(t, middle / 3, gamma);
   });
-  direct_.evaluate(sources_, delta_, terms, sums_);
+  pairs_->evaluate(sources_, delta_, terms, sums_);
   ++evaluations_;
   near_.add_potential(films, shape, strength_, sums_.potential);
   kinetic_energy_ = 0;

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "FoamSim/conservative/near_field.h"
-#include "FoamSim/conservative/pair_sums.h"
+#include "FoamSim/sheet/velocity/pair_sums.h"
 
 namespace foamsim {
 
@@ -13,9 +14,10 @@ namespace foamsim {
 /// how much energy is in it, and the force that moving the mesh at constant φ would take.
 class FilmMotion {
  public:
-  /// `delta`: δ > 0, L. `precision`: that of the sums over pairs.
-  FilmMotion(double delta, const NearField& near, Precision precision = Precision::doubles)
-      : delta_(delta), near_(near), direct_(precision) {}
+  /// `delta`: δ > 0, L. `pairs`: sums over pairs of triangles, not null.
+  FilmMotion(double delta, const NearField& near,
+             std::unique_ptr<PairSummation> pairs = std::make_unique<DirectPairSums>())
+      : delta_(delta), near_(near), pairs_(std::move(pairs)) {}
 
   /// Evaluates the sums. `phi`: by entry, L²/T; `positions`: by vertex slot. `terms` is `potential` when only fluxes
   /// and the energy are wanted.
@@ -43,7 +45,7 @@ class FilmMotion {
  private:
   double delta_;
   NearField near_;
-  DirectPairSums direct_;
+  std::unique_ptr<PairSummation> pairs_;
   VortexSources sources_;
   PairSums sums_;
   std::vector<std::array<double, 3>> corner_circulation_;

@@ -6,7 +6,7 @@
 
 #include "FoamSim/conservative/film_shape.h"
 #include "FoamSim/conservative/near_field.h"
-#include "FoamSim/conservative/pair_sums.h"
+#include "FoamSim/sheet/velocity/pair_sums.h"
 
 namespace foamsim {
 

@@ -11,6 +11,7 @@
 #include "FoamSim/conservative/viscosity.h"
 #include "FoamSim/dynamics/driven_air.h"
 #include "FoamSim/dynamics/dynamics.h"
+#include "FoamSim/sheet/velocity/direct.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {
@@ -32,8 +33,9 @@ struct ConservativeOptions {
   double safety = 0.75;         ///< share of the longest stable step that is used
   double largest_strain = 0.4;  ///< change of an edge in a substep, as a share of its length
   Precision precision = Precision::automatic;
-  long most_substeps = 16;  ///< a step is made in as many as these two ask for
-  bool correction = true;   ///< what is left of energy and impulse lost or won is given back; with kick_drift
+  long most_substeps = 16;        ///< a step is made in as many as these two ask for
+  bool sheet_velocities = false;  ///< those that the sheet induces, as section 3 has them, not those of the forces
+  bool correction = true;         ///< what is left of energy and impulse lost or won is given back; with kick_drift
 };
 
 /// Bound on the fixed-point iteration of Stepping::midpoint.
@@ -43,10 +45,11 @@ inline constexpr long most_midpoint_rounds = 30;
 /// energy, volumes and equilibria are right on any mesh.
 class Conservative final : public Dynamics {
  public:
-  /// `sheet_sum`: velocities by this sum over the sheet, as section 3 has them; null: those that belong to the forces.
-  explicit Conservative(const ConservativeOptions& options, std::unique_ptr<BiotSavart> sheet_sum = nullptr)
-      : options_(options) {
-    if (sheet_sum) sheet_sum_.emplace(std::move(sheet_sum));
+  /// `sum`: how sums over the sheet are made, not null.
+  explicit Conservative(const ConservativeOptions& options,
+                        std::shared_ptr<const BiotSavart> sum = std::make_shared<DirectBiotSavart>())
+      : options_(options), summation_(std::move(sum)) {
+    if (options_.sheet_velocities) sheet_sum_.emplace(summation_);
   }
 
   double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
@@ -135,6 +138,7 @@ class Conservative final : public Dynamics {
   NearField near_;
   std::optional<FilmMotion> motion_, change_;  // of φ, and of its change by a kick
   std::optional<DrivenAir> driven_;
+  std::shared_ptr<const BiotSavart> summation_;
   std::optional<SheetVelocity> sheet_sum_;
   std::vector<SheetTriangle> sheet_;
   std::vector<double> phi_, new_phi_, stage_phi_, held_phi_, pressure_;

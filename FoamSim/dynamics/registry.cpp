@@ -56,10 +56,10 @@ std::vector<base::OptionSpec> conservative_options() {
       base::flag("inertia", true, "the force that keeps kinetic energy while the mesh moves"),
       base::word_from("tangential", std::string("smoothed"), "how the mesh goes along the films", "tangential motion",
                       names_of(tangentials)),
-      base::word_from(
-          "precision", std::string("auto"),
-          "of the sums over pairs of triangles; auto: single from " + std::to_string(many_triangles) + " triangles on",
-          "precision", names_of(precisions)),
+      base::word_from("precision", std::string("auto"),
+                      "of direct sums over pairs of triangles; auto: single from " + std::to_string(many_triangles) +
+                          " triangles on",
+                      "precision", names_of(precisions)),
       base::flag("correction", true, "what energy and impulse are still lost or won is given back"),
       base::flag("conserving_transfers", true, "remeshing keeps the integral of circulation over films")};
 }
@@ -78,7 +78,7 @@ Made make_conservative(const DynamicsSetup& setup) {
   own.safety = options.number("safety");
   own.largest_strain = options.number("largest_strain");
   own.most_substeps = options.whole("most_substeps");
-  if (options.word("velocities") == "adjoint") return std::make_unique<Conservative>(own);
+  own.sheet_velocities = options.word("velocities") == "sheet";
   return std::make_unique<Conservative>(own, setup.sheet.velocities.find(options.word("velocity")).make({options}));
 }
 

@@ -47,7 +47,7 @@ void VortexSheet::advance(StepScope& scope, std::vector<Vec3>& predicted) {
 VortexSheet::Strengths VortexSheet::strengths(std::span<const Vec3> positions) {
   Strengths now;
   fill_vortex_sources(sheet_, positions, now.sources);
-  DirectPairSums().evaluate(now.sources, delta_, PairTerms::potential, now.sums);
+  pairs_->evaluate(now.sources, delta_, PairTerms::potential, now.sums);
   return now;
 }
 

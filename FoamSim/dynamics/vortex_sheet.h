@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FoamSim/conservative/pair_sums.h"
 #include "FoamSim/dynamics/dynamics.h"
 #include "FoamSim/dynamics/integrator.h"
+#include "FoamSim/sheet/velocity/pair_sums.h"
 #include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {
@@ -12,8 +12,8 @@ namespace foamsim {
 class VortexSheet final : public Dynamics {
  public:
   /// Neither null.
-  VortexSheet(std::unique_ptr<BiotSavart> velocity, std::unique_ptr<Integrator> integrator)
-      : velocity_(std::move(velocity)), integrator_(std::move(integrator)) {}
+  VortexSheet(const std::shared_ptr<const BiotSavart>& sum, std::unique_ptr<Integrator> integrator)
+      : velocity_(sum), pairs_(sum->pair_sums(Precision::doubles)), integrator_(std::move(integrator)) {}
 
   double attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& start) override;
   bool takes_tension() const override { return integrator_->takes_tension(); }
@@ -45,6 +45,7 @@ class VortexSheet final : public Dynamics {
   void measure(StepScope& scope, std::span<const double> before, std::span<const double> after) const;
 
   SheetVelocity velocity_;
+  std::unique_ptr<PairSummation> pairs_;
   std::unique_ptr<Integrator> integrator_;
   double delta_ = 0;
   std::vector<SheetTriangle> sheet_;

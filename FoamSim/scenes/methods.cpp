@@ -28,10 +28,10 @@ void choose_method(base::OptionSet& options, const std::string& method, const st
   options.set("effects", effects, where);
   // What belongs to models that are not used now.
   for (const base::OptionSpec& spec : std::vector(options.specs()))
-    if (const std::string& kind = spec.owner.kind;
-        kind == "pressure scheme" || kind == "area strategy" || kind == "velocity sum" || kind == "velocities" ||
-        kind == "forces" || kind == "integrator" || (kind == "dynamics" && spec.owner.name == "vortex-sheet") ||
-        (kind == "effect" && spec.owner.name == "diffusion"))
+    if (const std::string& kind = spec.owner.kind; kind == "pressure scheme" || kind == "area strategy" ||
+                                                   kind == "forces" || kind == "integrator" ||
+                                                   (kind == "dynamics" && spec.owner.name == "vortex-sheet") ||
+                                                   (kind == "effect" && spec.owner.name == "diffusion"))
       options.unset(spec.key);
 }
 

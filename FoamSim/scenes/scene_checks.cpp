@@ -13,7 +13,6 @@ bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
           std::span<const std::string> also_used) {
   const auto& [kind, name] = owner;
   const bool vortex_sheet = options.word("dynamics") == "vortex-sheet";
-  const bool sums = vortex_sheet || options.word("velocities") == "sheet";
   const bool presses =
       (vortex_sheet ? !takes_tension(options.word("integrator")) : options.word("forces") == "pressure-scheme") &&
       names_have(effects_of(options), "surface_tension");
@@ -21,8 +20,8 @@ bool uses(const base::OptionSet& options, const base::OptionSpec::Owner& owner,
   if (kind == "effect") return names_have(effects_of(options), name);
   if (kind == "dynamics") return options.word("dynamics") == name;
   if (kind == "constraint") return names_have(options.words("constraints"), name);
-  if (kind == "velocities") return sums;
-  if (kind == "velocity sum") return sums && options.word("velocity") == name;
+  if (kind == "velocity sum")
+    return options.word("velocity") == name || (options.word("velocity") == "auto" && name == "tree");
   if (kind == "integrator") return vortex_sheet && options.word("integrator") == name;
   if (kind == "forces") return presses;
   if (kind == "pressure scheme") return presses && options.word("pressure") == name;
@@ -39,6 +38,8 @@ void refuse_for_conservative(const base::OptionSet& options) {
         "effect 'diffusion' smooths circulation pair by pair, which can win energy, and is not for "
         "dynamics=conservative; "
         "use --set viscosity=ETA (surface viscosity, L^3/T) in its place");
+  if (options.is_set("precision") && options.word("velocity") == "tree")
+    throw base::InputError("option 'precision' is for direct sums; velocity=tree has --set tolerance=...");
   const double delta = options.number("delta"), resolution = options.number("resolution");
   if (delta > 0 && resolution > 0 && delta < 0.1 * resolution)
     throw base::InputError(

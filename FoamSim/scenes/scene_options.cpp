@@ -43,7 +43,6 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
     std::ranges::find(specs, key, &base::OptionSpec::key)->owner = std::move(owner);
   };
   belongs_to("integrator", {"dynamics", "vortex-sheet"});
-  belongs_to("velocity", {"velocities", "sheet"});
   belongs_to("pressure", {"forces", "pressure-scheme"});
   belongs_to("area", {"pressure scheme", "edge_angle"});
   return specs;

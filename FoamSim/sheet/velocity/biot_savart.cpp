@@ -6,6 +6,11 @@
 #include "Base/error.h"
 
 namespace foamsim {
+
+std::unique_ptr<PairSummation> BiotSavart::pair_sums(Precision precision) const {
+  return std::make_unique<DirectPairSums>(precision);
+}
+
 void BiotSavart::check_arguments(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                                  std::span<const lostopos::Vec3> out) {
   if (!std::isfinite(delta) || delta < 0) {

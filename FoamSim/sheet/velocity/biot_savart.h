@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
+#include "FoamSim/sheet/velocity/pair_sums.h"
 #include "FoamSim/sheet/velocity/vortex_sources.h"
 #include "LosTopos/vec3.h"
 
@@ -32,6 +34,10 @@ class BiotSavart {
   /// number of threads.
   virtual void velocities(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                           std::span<lostopos::Vec3> out) const = 0;
+
+  /// Sums over the sources themselves in the same way: of potentials for energies, and all that the conservative
+  /// dynamics want. Directly, unless an implementation has its own; `precision` is that of direct sums.
+  virtual std::unique_ptr<PairSummation> pair_sums(Precision precision) const;
 
  protected:
   /// What every implementation asks of its arguments; throws as velocities() says.

@@ -12,7 +12,7 @@ struct VelocitySetup {
 };
 using VelocityEntry = base::Model<BiotSavart, VelocitySetup>;
 
-/// The built-in sums: direct.
+/// The built-in sums: direct, tree, auto.
 const base::Registry<VelocityEntry>& velocity_sums();
 
 /// A built-in sum with the defaults of its options. Throws base::InputError naming the valid ones.

@@ -13,7 +13,7 @@ namespace foamsim {
 /// so that evaluating it in every step allocates nothing.
 class SheetVelocity {
  public:
-  explicit SheetVelocity(std::unique_ptr<BiotSavart> sum) : sum_(std::move(sum)) {}
+  explicit SheetVelocity(std::shared_ptr<const BiotSavart> sum) : sum_(std::move(sum)) {}
 
   /// u (L/T) at `targets` from the sheet with vertices at `positions` (indexed by vertex handle); `delta` is the
   /// regularisation δ (L).
@@ -24,7 +24,7 @@ class SheetVelocity {
   long evaluations() const { return evaluations_; }
 
  private:
-  std::unique_ptr<BiotSavart> sum_;
+  std::shared_ptr<const BiotSavart> sum_;
   VortexSources sources_;
   long evaluations_ = 0;
 };

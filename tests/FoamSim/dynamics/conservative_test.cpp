@@ -16,6 +16,7 @@
 #include "FoamSim/scenes/methods.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
+#include "FoamSim/sheet/velocity/tree/tree.h"
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/measures.h"
 #include "tests/support/film_meshes.h"
@@ -98,6 +99,37 @@ TEST(Conservative, KeepsEnergyToTheOrderOfItsStepping) {
   EXPECT_GT(std::log2(energy_error(Stepping::rk4, 0.01) / energy_error(Stepping::rk4, 0.005)), 3.5);
   EXPECT_NEAR(std::log2(energy_error(Stepping::midpoint, 0.02) / energy_error(Stepping::midpoint, 0.01)), 2, 0.4);
   EXPECT_GT(std::log2(energy_error(Stepping::kick_drift, 0.02) / energy_error(Stepping::kick_drift, 0.01)), 0.8);
+}
+
+// K and K + E of a double bubble that opens, step by step.
+std::vector<std::pair<double, double>> energies(std::shared_ptr<const BiotSavart> sum) {
+  const ConservativeOptions options{.correction = false};
+  SimulationParts made{.dynamics = std::make_unique<Conservative>(options, std::move(sum))};
+  made.effects.push_back(std::make_unique<SurfaceTension>(1, nullptr));
+  Simulation simulation(double_bubble(48), fixed(0.003), std::move(made));
+  std::vector<std::pair<double, double>> all;
+  for (int i = 0; i < 2; ++i) {
+    const StepReport report = simulation.step();
+    all.emplace_back(report.kinetic_energy, energy(report));
+  }
+  return all;
+}
+
+TEST(Conservative, KeepsEnergyByTreeAsWellAsDirectly) {
+  const auto direct = energies(std::make_shared<DirectBiotSavart>());
+  const double most = direct.back().first;
+  ASSERT_GT(most, 1e-4);
+  for (double tolerance : {1e-4, 1e-6}) {
+    const auto by_tree = energies(std::make_shared<TreeBiotSavart>(TreeOptions{.tolerance = tolerance}));
+    double kinetic = 0, total = 0;
+    for (std::size_t i = 0; i < direct.size(); ++i) {
+      kinetic = std::max(kinetic, std::abs(by_tree[i].first - direct[i].first));
+      total = std::max(total, std::abs(by_tree[i].second - direct[i].second));
+    }
+    EXPECT_LT(kinetic, tolerance * most);
+    EXPECT_LT(total, tolerance * most);
+    EXPECT_GT(kinetic, 1e-12 * most) << "it was direct after all";
+  }
 }
 
 // Viscosity's linear system once made rounding a part in a million within ten steps.

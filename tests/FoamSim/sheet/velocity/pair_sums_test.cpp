@@ -1,4 +1,4 @@
-#include "FoamSim/conservative/pair_sums.h"
+#include "FoamSim/sheet/velocity/pair_sums.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

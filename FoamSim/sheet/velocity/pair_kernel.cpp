@@ -1,10 +1,10 @@
-#include "FoamSim/conservative/pair_kernel.h"
+#include "FoamSim/sheet/velocity/pair_kernel.h"
 
 #include <cstddef>
 
 // Highway compiles the part between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "FoamSim/conservative/pair_kernel.cpp"
+#define HWY_TARGET_INCLUDE "FoamSim/sheet/velocity/pair_kernel.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 

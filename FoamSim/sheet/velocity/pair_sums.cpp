@@ -1,4 +1,4 @@
-#include "FoamSim/conservative/pair_sums.h"
+#include "FoamSim/sheet/velocity/pair_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "Base/error.h"
 #include "Base/parallel/for_each.h"
-#include "FoamSim/conservative/pair_kernel.h"
+#include "FoamSim/sheet/velocity/pair_kernel.h"
 
 namespace foamsim {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "FoamSim/conservative/pair_kernel.h"
+#include "FoamSim/sheet/velocity/pair_kernel.h"
 #include "FoamSim/sheet/velocity/vortex_sources.h"
 #include "LosTopos/vec3.h"
 
@@ -35,19 +35,30 @@ enum class PairTerms {
   all         ///< Ψ, B and u
 };
 
+/// A way to sum them. Keeps work arrays between calls, so that one object serves one thread.
+class PairSummation {
+ public:
+  PairSummation() = default;
+  PairSummation(const PairSummation&) = delete;
+  PairSummation& operator=(const PairSummation&) = delete;
+  virtual ~PairSummation() = default;
+
+  /// @param sources barycentres (L) and strengths γ (L³/T); distances from 1e-90 to 1e90, or zero.
+  /// @param delta   δ > 0 (L).
+  /// @throws base::InputError when delta is not a finite length > 0.
+  virtual void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums) = 0;
+};
+
 /// Sums over all pairs of triangles, each pair visited once for both of its members: O(n²).
 ///
 /// SIMD with run-time choice of the instruction set; pairs are shared out among a fixed number of groups, whose sums
 /// are added up in a fixed order: same bits for any number of threads, and for any instruction set that has fused
 /// multiplication (AVX2, AVX-512, NEON).
-class DirectPairSums {
+class DirectPairSums final : public PairSummation {
  public:
   explicit DirectPairSums(Precision precision = Precision::doubles) : precision_(precision) {}
 
-  /// @param sources barycentres (L) and strengths γ (L³/T); distances from 1e-90 to 1e90, or zero.
-  /// @param delta   δ > 0 (L).
-  /// @throws base::InputError when delta is not a finite length > 0.
-  void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums);
+  void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums) override;
 
  private:
   // Works out sums of the padded bodies into parts_.

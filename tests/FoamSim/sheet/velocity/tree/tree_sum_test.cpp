@@ -1,0 +1,221 @@
+// Tree sums against direct ones: errors below the tolerance on every kind of surface, symmetry, bits.
+#include "FoamSim/sheet/velocity/tree/tree_sum.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "Base/error.h"
+#include "FoamSim/scenes/scene.h"
+#include "FoamSim/scenes/shapes/double_bubble.h"
+#include "FoamSim/sheet/velocity/direct.h"
+#include "FoamSim/sheet/velocity/tree/chebyshev.h"
+#include "FoamSim/sheet/velocity/tree/tree.h"
+#include "LosTopos/mesh/measures.h"
+#include "LosTopos/shapes/solids.h"
+
+namespace foamsim {
+namespace {
+
+using lostopos::SurfaceMesh;
+using lostopos::Triangle;
+using lostopos::Vec3;
+
+struct Problem {
+  VortexSources sources;
+  double delta = 0;
+};
+
+// The sheet of a smooth circulation over a mesh.
+Problem sheet_of(const SurfaceMesh& mesh) {
+  Problem problem{.delta = 0.5 * lostopos::mean_edge_length(mesh)};
+  problem.sources.resize(mesh.triangle_count());
+  std::size_t t = 0;
+  const auto circulation = [](const Vec3& x) { return std::sin(3 * x.x()) + x.y() * x.z(); };
+  for (Triangle triangle : mesh.triangles()) {
+    const auto [a, b, c] = mesh.vertices(triangle);
+    const Vec3 x = mesh.position(a), y = mesh.position(b), z = mesh.position(c);
+    problem.sources.set(t++, (x + y + z) / 3,
+                        circulation(x) * (z - y) + circulation(y) * (x - z) + circulation(z) * (y - x));
+  }
+  return problem;
+}
+
+SurfaceMesh foam() {
+  Scene scene = built_in_scene("growth");
+  scene.options.set_assignment("spheres=27", "test");
+  return build_surface(scene);
+}
+
+Problem flat_sheet() {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> value(-1, 1);
+  constexpr std::size_t n = 6000;
+  Problem problem{.delta = 0.01};
+  problem.sources.resize(n);
+  for (std::size_t t = 0; t < n; ++t) {
+    const Vec3 x(value(random), value(random), 0);
+    problem.sources.set(t, x, Vec3(std::sin(2 * x.y()), std::cos(3 * x.x()), 0) / n);
+  }
+  return problem;
+}
+
+double largest(const std::vector<Vec3>& values) {
+  double most = 0;
+  for (const Vec3& value : values) most = std::max(most, value.norm());
+  return most;
+}
+
+double error(const std::vector<Vec3>& values, const std::vector<Vec3>& exact) {
+  double most = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) most = std::max(most, (values[i] - exact[i]).norm());
+  return most / largest(exact);
+}
+
+struct Named {
+  const char* name;
+  std::function<Problem()> make;
+};
+
+class TreeSumOn : public testing::TestWithParam<Named> {};
+
+TEST_P(TreeSumOn, IsWithinItsTolerance) {
+  const Problem problem = GetParam().make();
+  ASSERT_GT(problem.sources.size(), 3000U);
+  PairSums exact, sums;
+  DirectPairSums(Precision::doubles).evaluate(problem.sources, problem.delta, PairTerms::all, exact);
+  for (double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    TreePairSums({.tolerance = tolerance}, Precision::doubles)
+        .evaluate(problem.sources, problem.delta, PairTerms::all, sums);
+    EXPECT_LT(error(sums.potential, exact.potential), tolerance) << tolerance;
+    EXPECT_LT(error(sums.velocity, exact.velocity), tolerance) << tolerance;
+    EXPECT_LT(error(sums.force, exact.force), tolerance) << tolerance;
+  }
+  // A sum that is direct after all would be exact.
+  TreePairSums({.tolerance = 1e-3}, Precision::doubles)
+      .evaluate(problem.sources, problem.delta, PairTerms::potential, sums);
+  EXPECT_GT(error(sums.potential, exact.potential), 1e-9);
+  EXPECT_TRUE(sums.velocity.empty());
+  EXPECT_TRUE(sums.force.empty());
+}
+
+TEST_P(TreeSumOn, GivesVelocitiesElsewhere) {
+  const Problem problem = GetParam().make();
+  std::vector<Vec3> targets, exact(2000), velocities(2000);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const std::size_t t = i % problem.sources.size();
+    targets.emplace_back(problem.sources.x[t] + problem.delta, problem.sources.y[t], problem.sources.z[t]);
+  }
+  DirectBiotSavart().velocities(problem.sources, targets, problem.delta, exact);
+  TreeBiotSavart({.tolerance = 1e-5}).velocities(problem.sources, targets, problem.delta, velocities);
+  EXPECT_LT(error(velocities, exact), 1e-5);
+}
+
+// Σ γ'·Ψ[γ] = Σ γ·Ψ[γ'] to the rounding of the precision, not to the tolerance.
+TEST_P(TreeSumOn, IsSymmetric) {
+  const Problem one = GetParam().make();
+  Problem two = one;
+  for (std::size_t t = 0; t < two.sources.size(); ++t)
+    two.sources.set(t, Vec3(one.sources.x[t], one.sources.y[t], one.sources.z[t]),
+                    Vec3(one.sources.gz[t], -one.sources.gx[t], one.sources.x[t] * one.sources.gy[t]));
+  const auto product = [](const VortexSources& sources, const PairSums& sums) {
+    double sum = 0;
+    for (std::size_t t = 0; t < sources.size(); ++t)
+      sum += Vec3(sources.gx[t], sources.gy[t], sources.gz[t]).dot(sums.potential[t]);
+    return sum;
+  };
+  PairSums of_one, of_two;
+  for (bool single : {false, true}) {
+    const TreeAccuracy accuracy{.nodes = 4, .openness = 0.7, .single_near = single, .single_far = single};
+    tree_sum(one.sources, nullptr, one.delta, TreeTerms::potential, accuracy, of_one);
+    tree_sum(two.sources, nullptr, two.delta, TreeTerms::potential, accuracy, of_two);
+    const double scale = std::sqrt(product(one.sources, of_one) * product(two.sources, of_two));
+    EXPECT_NEAR(product(two.sources, of_one), product(one.sources, of_two), (single ? 1e-6 : 1e-13) * scale);
+  }
+}
+
+TEST_P(TreeSumOn, HasTheSameBitsWithAnyNumberOfThreads) {
+  const Problem problem = GetParam().make();
+  PairSums one, two;
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
+    tree_sum(problem.sources, nullptr, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-4, 6000), one);
+  }
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
+  tree_sum(problem.sources, nullptr, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-4, 6000), two);
+  EXPECT_EQ(one.potential, two.potential);
+  EXPECT_EQ(one.velocity, two.velocity);
+  EXPECT_EQ(one.force, two.force);
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, TreeSumOn,
+                         testing::Values(Named{"sphere", [] { return sheet_of(lostopos::icosphere(4)); }},
+                                         Named{"double_bubble", [] { return sheet_of(double_bubble(32)); }},
+                                         Named{"foam", [] { return sheet_of(foam()); }},
+                                         Named{"flat_sheet", flat_sheet}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(TreeSum, WithoutRegularisationLeavesOwnPointsOut) {
+  VortexSources sources;
+  sources.resize(2);
+  sources.set(0, Vec3(0, 0, 0), Vec3(0, 0, 1));
+  sources.set(1, Vec3(1, 0, 0), Vec3(0, 0, 2));
+  const std::vector<Vec3> targets{Vec3(0, 0, 0), Vec3(1, 0, 0)};
+  std::vector<Vec3> tree(2), direct(2);
+  TreeBiotSavart({.tolerance = 1e-8}).velocities(sources, targets, 0, tree);
+  DirectBiotSavart().velocities(sources, targets, 0, direct);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT((tree[i] - direct[i]).norm(), 1e-14);
+}
+
+TEST(TreeSum, OfNothingIsNothing) {
+  const std::vector<Vec3> targets(3, Vec3::Ones());
+  std::vector<Vec3> out(3, Vec3::Ones());
+  TreeBiotSavart({}).velocities({}, targets, 0.1, out);
+  EXPECT_EQ(out, std::vector<Vec3>(3, Vec3::Zero()));
+  PairSums sums;
+  TreePairSums({}, Precision::doubles).evaluate({}, 0.1, PairTerms::all, sums);
+  EXPECT_TRUE(sums.potential.empty());
+}
+
+TEST(TreeSum, RefusesABadRegularisation) {
+  const Problem problem = flat_sheet();
+  PairSums sums;
+  for (double delta : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(TreePairSums({}, Precision::doubles).evaluate(problem.sources, delta, PairTerms::all, sums),
+                 base::InputError);
+}
+
+TEST(TreeAccuracy, TakesMoreForLess) {
+  std::size_t nodes = 0;
+  for (double tolerance = 1e-2; tolerance > 0.9e-8; tolerance /= 10) {
+    const TreeAccuracy accuracy = TreeAccuracy::of(tolerance, 1000);
+    EXPECT_GE(accuracy.nodes, nodes);
+    EXPECT_GE(accuracy.openness, 0.6);
+    EXPECT_LE(accuracy.openness, 0.76);
+    nodes = accuracy.nodes;
+  }
+  EXPECT_LE(nodes, most_nodes);
+}
+
+TEST(AutomaticSum, IsDirectForFewAndByTreeForMany) {
+  const Problem few = sheet_of(double_bubble(12)), many = sheet_of(double_bubble(48));
+  for (const Problem* problem : {&few, &many}) {
+    const std::vector<Vec3> targets(10, Vec3(0.1, 0.2, 0.3));
+    std::vector<Vec3> automatic(10), direct(10), tree(10);
+    const TreeOptions options{.direct_up_to = 6000};
+    TreeBiotSavart(options).velocities(problem->sources, targets, problem->delta, automatic);
+    TreeBiotSavart({}).velocities(problem->sources, targets, problem->delta, tree);
+    DirectBiotSavart().velocities(problem->sources, targets, problem->delta, direct);
+    EXPECT_EQ(automatic, problem == &few ? direct : tree);
+    EXPECT_NE(direct, tree);
+  }
+}
+
+}  // namespace
+}  // namespace foamsim

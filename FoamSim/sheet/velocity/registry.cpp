@@ -53,8 +53,10 @@ const base::Registry<VelocityEntry>& velocity_sums() {
 
 std::unique_ptr<BiotSavart> make_biot_savart(std::string_view name) {
   const VelocityEntry& entry = velocity_sums().find(name);
-  const base::OptionSet own(entry.options);
-  return entry.make({own});
+  std::vector<base::OptionSpec> specs;  // of all, for automatic ones read those of others
+  for (const VelocityEntry& each : velocity_sums()) specs.insert(specs.end(), each.options.begin(), each.options.end());
+  const base::OptionSet defaults(std::move(specs));
+  return entry.make({defaults});
 }
 
 }  // namespace foamsim

@@ -1,6 +1,8 @@
 // Wires in the conservative dynamics: the flux at what they hold is theirs, and their work is all that changes energy.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "FoamSim/conservative/film_motion.h"
 #include "FoamSim/conservative/held_flux.h"
 #include "FoamSim/conservative/potential.h"
@@ -132,8 +134,12 @@ TEST(ConservativeWire, LetsATubeContract) {
   Simulation simulation = make_simulation(conservative("tworingspinching", {"constraints=wire", "wires=held: still"}));
   const double before = simulation.geometry().total_area();
   StepReport last;
-  for (int i = 0; i < 26; ++i) last = simulation.step();
-  EXPECT_LT(simulation.geometry().total_area(), 0.995 * before);
+  double least = before;
+  for (int i = 0; i < 26; ++i) {
+    last = simulation.step();
+    least = std::min(least, simulation.geometry().total_area());
+  }
+  EXPECT_LT(least, 0.99 * before);
   EXPECT_EQ(last.wire_iterations, 0);
   EXPECT_EQ(last.wire_work, 0);
 }

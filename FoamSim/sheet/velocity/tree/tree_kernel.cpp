@@ -86,7 +86,7 @@ HWY_INLINE Body<VecOf<Real>> load(const TreeBodies<Real>& targets, const Offset&
 template <TreeTerms terms, class Real>
 HWY_INLINE void put(const Sums<VecOf<Real>>& sums, std::size_t t, std::size_t count, double* out, std::size_t stride) {
   const Lanes<Real> d;
-  HWY_ALIGN Real values[tree_lanes];
+  HWY_ALIGN Real values[tree_lanes] = {};
   for (std::size_t c = 0; c < components(terms); ++c) {
     hn::Store(sums.v[c], d, values);
     for (std::size_t i = 0; i < count; ++i) out[c * stride + t + i] += static_cast<double>(values[i]);

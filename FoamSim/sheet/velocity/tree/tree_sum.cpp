@@ -18,7 +18,7 @@ using lostopos::Vec3;
 namespace {
 
 // What lengths and strengths are divided by, so that singles can hold them.
-struct Units {
+struct TreeUnits {
   double length = 1, strength = 1;
 };
 
@@ -67,7 +67,7 @@ struct Side {
   Places<Far> far;
   GridPoints<Far> grid;
 
-  Side(std::span<const Vec3> points, std::size_t leaf_size, const Chebyshev& nodes, const Units& units)
+  Side(std::span<const Vec3> points, std::size_t leaf_size, const Chebyshev& nodes, const TreeUnits& units)
       : tree(points, leaf_size),
         near(tree, points, units.length),
         far(tree, points, units.length),
@@ -152,7 +152,7 @@ class TreeSum {
 };
 
 template <class Near, class Far>
-void sum_up(const VortexSources& sources, const std::span<const Vec3>* targets, const Units& units, double delta,
+void sum_up(const VortexSources& sources, const std::span<const Vec3>* targets, const TreeUnits& units, double delta,
             TreeTerms terms, const TreeAccuracy& accuracy, PairSums& result) {
   const Chebyshev nodes(accuracy.nodes);
   const std::size_t leaf = std::max(accuracy.leaf_size, grid_size(nodes));
@@ -176,8 +176,8 @@ void sum_up(const VortexSources& sources, const std::span<const Vec3>* targets, 
   if (terms == TreeTerms::all) fill(result.force, 6, scale / units.length * units.strength);
 }
 
-Units units_of(const VortexSources& sources, double delta) {
-  Units units;
+TreeUnits tree_units(const VortexSources& sources, double delta) {
+  TreeUnits units;
   Vec3 low(sources.x[0], sources.y[0], sources.z[0]), high = low;
   double strongest = 0;
   for (std::size_t t = 0; t < sources.size(); ++t) {
@@ -206,7 +206,7 @@ void tree_sum(const VortexSources& sources, const std::span<const Vec3>* targets
     if (terms == TreeTerms::all) result.force = nothing;
     return;
   }
-  const Units units = units_of(sources, delta);
+  const TreeUnits units = tree_units(sources, delta);
   if (accuracy.single_near && accuracy.single_far)
     sum_up<float, float>(sources, targets, units, delta, terms, accuracy, result);
   else if (accuracy.single_near)

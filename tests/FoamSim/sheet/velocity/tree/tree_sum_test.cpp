@@ -28,7 +28,7 @@ using lostopos::Triangle;
 using lostopos::Vec3;
 
 struct Problem {
-  VortexSources sources;
+  VortexSources sources = {};
   double delta = 0;
 };
 

@@ -32,8 +32,8 @@ class VertexSeparation {
   const std::vector<Region>& regions() const { return regions_; }
 
  private:
-  // NOLINTNEXTLINE(bugprone-exception-escape): a long list moves its memory, a short one its elements, which do not
-  // throw
+  // A long list moves its memory, a short one its elements, which do not throw.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
   struct Candidate {
     SurfaceMesh::TriangleList leaving;  ///< the triangles that the copy takes
     Region leaving_region, other_region;

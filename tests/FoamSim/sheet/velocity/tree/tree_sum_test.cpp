@@ -40,7 +40,7 @@ Problem sheet_of(const SurfaceMesh& mesh) {
   const auto circulation = [](const Vec3& x) { return std::sin(3 * x.x()) + x.y() * x.z(); };
   for (Triangle triangle : mesh.triangles()) {
     const auto [a, b, c] = mesh.vertices(triangle);
-    const Vec3 x = mesh.position(a), y = mesh.position(b), z = mesh.position(c);
+    const Vec3 &x = mesh.position(a), &y = mesh.position(b), &z = mesh.position(c);
     problem.sources.set(t++, (x + y + z) / 3,
                         circulation(x) * (z - y) + circulation(y) * (x - z) + circulation(z) * (y - x));
   }

@@ -28,13 +28,13 @@ std::vector<Vec3> points_of(const VortexSources& sources) {
   return points;
 }
 
-// Points of a tree in its order, each from the middle of its leaf, with strengths where there are any.
+// Points of a tree in its order, each from the middle of its leaf; without strengths unless they take some.
 template <class Real>
 struct Places {
   TreeArray<Real> x, y, z, gx, gy, gz;
 
   Places(const ClusterTree& tree, std::span<const Vec3> points, double unit) {
-    for (TreeArray<Real>* array : {&x, &y, &z}) array->assign(points.size() + tree_lanes, Real{0});
+    for (TreeArray<Real>* array : {&x, &y, &z, &gx, &gy, &gz}) array->assign(points.size() + tree_lanes, Real{0});
     for (const Cluster& cluster : tree.clusters())
       for (std::uint32_t i = cluster.begin; cluster.leaf() && i < cluster.end; ++i) {
         const Vec3 place = (points[tree.order()[i]] - cluster.middle) / unit;
@@ -45,7 +45,6 @@ struct Places {
   }
 
   void take_strengths(const ClusterTree& tree, const VortexSources& sources, double unit) {
-    for (TreeArray<Real>* array : {&gx, &gy, &gz}) array->assign(x.size(), Real{0});
     for (std::size_t i = 0; i < sources.size(); ++i) {
       gx[i] = static_cast<Real>(sources.gx[tree.order()[i]] / unit);
       gy[i] = static_cast<Real>(sources.gy[tree.order()[i]] / unit);
@@ -54,7 +53,7 @@ struct Places {
   }
 
   TreeBodies<Real> of(const Cluster& c) const {
-    const auto at = [&c](const TreeArray<Real>& array) { return array.empty() ? nullptr : array.data() + c.begin; };
+    const auto at = [&c](const TreeArray<Real>& array) { return array.data() + c.begin; };
     return {at(x), at(y), at(z), at(gx), at(gy), at(gz), c.size()};
   }
 };

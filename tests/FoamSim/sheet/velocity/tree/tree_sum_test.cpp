@@ -115,6 +115,12 @@ TEST_P(TreeSumOn, GivesVelocitiesElsewhere) {
   DirectBiotSavart().velocities(problem.sources, targets, problem.delta, exact);
   TreeBiotSavart({.tolerance = 1e-5}).velocities(problem.sources, targets, problem.delta, velocities);
   EXPECT_LT(error(velocities, exact), 1e-5);
+  PairSums all;
+  const std::span<const Vec3> at = targets;
+  tree_sum(problem.sources, &at, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-5, 6000), all);
+  EXPECT_LT(error(all.velocity, exact), 1e-5);
+  EXPECT_EQ(all.potential.size(), targets.size());
+  EXPECT_EQ(largest(all.force), 0) << "targets have no strength";
 }
 
 // Σ γ'·Ψ[γ] = Σ γ·Ψ[γ'] to the rounding of the precision, not to the tolerance.

@@ -40,6 +40,17 @@ TEST_P(StandingScene, StandsStillFor20Steps) {
 INSTANTIATE_TEST_SUITE_P(Scenes, StandingScene, testing::Values("barrel", "triplejunction"),
                          [](const auto& scene) { return std::string(scene.param); });
 
+// 16 rings and segments, the mesh as it is, no diffusion; printed to all of its digits at the clock 0.4.
+TEST(DoubleBubble, HasTheAreaThatTheReferenceHas) {
+  Scene scene = built_in_scene("doublebubble");
+  for (const char* assignment : {"n=16", "effects=surface_tension", "resolution_mean=triangle-sides",
+                                 "remeshing.enabled=false", "topology.enabled=false"})
+    scene.options.set_assignment(assignment, "test");
+  Simulation simulation = make_simulation(scene);
+  for (int i = 0; i < 20; ++i) simulation.step();
+  EXPECT_NEAR(lostopos::total_area(simulation.mesh()), 24.012322, 1e-6);
+}
+
 TEST(QuadJunction, LosesTheAreaThatTheReferenceLoses) {
   Simulation simulation = make_simulation(built_in_scene("quadjunction"));
   for (int i = 0; i < 20; ++i) simulation.step();

@@ -11,13 +11,13 @@
 namespace base {
 namespace {
 
-struct Kitchen {
+struct SmallKitchen {
   CommandLine line{"kitchen", "cooks", "1.2.3"};
   std::string dish, oven, out;
   std::vector<std::string> spices, settings;
   bool quick = false;
 
-  Kitchen() {
+  SmallKitchen() {
     Command& cook = line.root().add_command("cook", "makes a dish: soup, [cake] or it's burnt");
     cook.add({.name = "dish", .target = &dish, .help = "what to cook", .names = {"soup", "cake"}});
     cook.add({.name = "--oven", .target = &oven, .help = "which", .names = {"gas", "wood"}});
@@ -45,7 +45,7 @@ bool has_program(const std::string& program) {
 // What bash would offer at the end of the typed text.
 std::string offered(const std::string& typed) {
   const test::ScratchFolder scratch;
-  const Kitchen kitchen;
+  const SmallKitchen kitchen;
   std::ofstream(scratch / "script") << bash_completion(kitchen.line)
                                     << "COMP_LINE='" + typed +
                                            "'; COMP_POINT=${#COMP_LINE}; _kitchen; "
@@ -77,7 +77,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndTheirWords) {
 }
 
 TEST(ZshCompletion, NamesWhatThereIsAndIsTakenByZsh) {
-  const Kitchen kitchen;
+  const SmallKitchen kitchen;
   const std::string script = zsh_completion(kitchen.line);
   for (const char* part :
        {"#compdef kitchen", "_kitchen_wash_plates", "--oven[which]:value:(gas wood)", "lid.closed[a flag]"})
@@ -91,7 +91,7 @@ TEST(ZshCompletion, NamesWhatThereIsAndIsTakenByZsh) {
 }
 
 TEST(ManualPage, SaysEverythingAndIsTakenByTroff) {
-  const Kitchen kitchen;
+  const SmallKitchen kitchen;
   const std::string page =
       manual_page(kitchen.line,
                   {"Cooks.\n\n.Not a macro.", {{"option keys", manual_entries({flag("lid.closed", true, "a flag")})}}});

@@ -166,7 +166,7 @@ TEST(Rod, GoesOnFromACheckpointToTheSameBits) {
   }
 }
 
-std::string refusal(lostopos::SurfaceMesh mesh, const std::vector<Vertex>& held, bool looped) {
+std::string refusal_of_rod(lostopos::SurfaceMesh mesh, const std::vector<Vertex>& held, bool looped) {
   try {
     lostopos::SurfaceTracker tracker(std::move(mesh), {.resolution = 0.2});
     for (Vertex v : held) tracker.held()[v] = Hold::all;
@@ -180,18 +180,19 @@ std::string refusal(lostopos::SurfaceMesh mesh, const std::vector<Vertex>& held,
 TEST(Rod, RefusesWhatIsNoChain) {
   const auto tube = [] { return lostopos::test::open_cylinder(0.5, 6, 1, 0.5); };
   const std::vector<Vertex> one_ring{Vertex(0), Vertex(1), Vertex(2), Vertex(3), Vertex(4), Vertex(5)};
-  EXPECT_EQ(refusal(tube(), one_ring, true), "");
-  EXPECT_EQ(refusal(tube(), {Vertex(0), Vertex(1), Vertex(2)}, false), "");
-  EXPECT_EQ(refusal(tube(), {Vertex(0), Vertex(1), Vertex(2)}, true),
+  EXPECT_EQ(refusal_of_rod(tube(), one_ring, true), "");
+  EXPECT_EQ(refusal_of_rod(tube(), {Vertex(0), Vertex(1), Vertex(2)}, false), "");
+  EXPECT_EQ(refusal_of_rod(tube(), {Vertex(0), Vertex(1), Vertex(2)}, true),
             "the rod is looped, but its ends, vertices 2 and 0, are not joined; give --set looped=false");
-  EXPECT_NE(refusal(tube(), {}, true).find("needs three or more held vertices"), std::string::npos);
-  EXPECT_NE(refusal(tube(), {Vertex(0), Vertex(2), Vertex(3)}, false).find("has 0 neighbours"), std::string::npos);
+  EXPECT_NE(refusal_of_rod(tube(), {}, true).find("needs three or more held vertices"), std::string::npos);
+  EXPECT_NE(refusal_of_rod(tube(), {Vertex(0), Vertex(2), Vertex(3)}, false).find("has 0 neighbours"),
+            std::string::npos);
   std::vector<Vertex> both = one_ring;
   for (std::uint32_t v = 6; v < 12; ++v) both.emplace_back(v);
-  EXPECT_NE(refusal(tube(), both, true).find("more than one chain: 6 of 12"), std::string::npos);
+  EXPECT_NE(refusal_of_rod(tube(), both, true).find("more than one chain: 6 of 12"), std::string::npos);
   auto without_length = tube();
   without_length.set_position(Vertex(1), without_length.position(Vertex(0)));
-  EXPECT_NE(refusal(std::move(without_length), one_ring, true).find("no length between vertices 0 and 1"),
+  EXPECT_NE(refusal_of_rod(std::move(without_length), one_ring, true).find("no length between vertices 0 and 1"),
             std::string::npos);
 }
 

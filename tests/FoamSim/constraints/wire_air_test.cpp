@@ -18,14 +18,10 @@
 namespace foamsim {
 namespace {
 
-using lostopos::Labels;
 using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vec3;
 using lostopos::Vertex;
-
-constexpr double delta = 0.15, dt = 0.02;
-const Labels air_inside{lostopos::Region(0), lostopos::Region(1)};
 
 // A surface at rest in a tracker, with everything that a wire asks for.
 struct Film {

@@ -16,7 +16,7 @@ Scene scene_of(const ::test::ScratchFolder& folder, const std::string& text) {
   return load_scene(file.string());
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_table(const std::string& text) {
   const ::test::ScratchFolder folder;
   try {
     scene_of(folder, text);
@@ -46,15 +46,16 @@ selection = "x < -1.4"
 
 TEST(WireTables, AreRefusedWithTheirLine) {
   const std::string begin = "scene = \"doublebubble\"\n[[wire]]\n";
-  EXPECT_EQ(refusal(begin + "motion = \"still\"\n"),
+  EXPECT_EQ(refusal_of_table(begin + "motion = \"still\"\n"),
             "wired.toml:2: a wire needs either vertices = [3, 4, 5] or selection = \"held and x < 0\"");
-  EXPECT_EQ(refusal(begin + "vertices = [1]\nspeed = 3\n"),
+  EXPECT_EQ(refusal_of_table(begin + "vertices = [1]\nspeed = 3\n"),
             "wired.toml:4: a wire has no 'speed'; it has vertices or selection, motion, from and until");
-  EXPECT_EQ(refusal(begin + "vertices = [1]\nmotion = \"spin\"\n"),
+  EXPECT_EQ(refusal_of_table(begin + "vertices = [1]\nmotion = \"spin\"\n"),
             "wired.toml:2: the motion of the wire 'vertices 1: spin' cannot be read: no motion is called 'spin'; it is "
             "'still', 'move VX VY VZ' or 'pull SPEED [along AX AY AZ]', then where wanted 'from T' and 'until T'");
-  EXPECT_EQ(refusal(begin + "vertices = []\n"), "wired.toml:3: 'vertices' is a list of vertex numbers, not empty");
-  EXPECT_EQ(refusal("scene = \"doublebubble\"\nwire = 3\n"),
+  EXPECT_EQ(refusal_of_table(begin + "vertices = []\n"),
+            "wired.toml:3: 'vertices' is a list of vertex numbers, not empty");
+  EXPECT_EQ(refusal_of_table("scene = \"doublebubble\"\nwire = 3\n"),
             "wired.toml:2: wires are tables: begin each with [[wire]]");
 }
 

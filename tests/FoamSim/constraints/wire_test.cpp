@@ -19,14 +19,10 @@
 namespace foamsim {
 namespace {
 
-using lostopos::Labels;
 using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vec3;
 using lostopos::Vertex;
-
-constexpr double delta = 0.15, dt = 0.02;
-const Labels air_inside{lostopos::Region(0), lostopos::Region(1)};
 
 // Two rings with a film between them.
 Simulation tube(std::unique_ptr<Wire> constraint, bool remesh = true) {

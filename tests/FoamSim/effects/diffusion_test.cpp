@@ -46,8 +46,8 @@ double wave(Vertex v, int m, int n) {
   return std::cos(2 * pi * (m * static_cast<double>(column) / kColumns + n * static_cast<double>(row) / kRows));
 }
 
-struct Stage {
-  explicit Stage(SurfaceMesh m) : mesh(std::move(m)), circulation(mesh) { geometry.update(mesh); }
+struct AgedFilm {
+  explicit AgedFilm(SurfaceMesh m) : mesh(std::move(m)), circulation(mesh) { geometry.update(mesh); }
   void diffuse(Diffusion& diffusion, double dt) { diffusion.update_circulation({mesh, geometry, 0, dt}, circulation); }
 
   SurfaceMesh mesh;
@@ -57,7 +57,7 @@ struct Stage {
 
 TEST(Diffusion, DampsEveryWaveByItsOwnFactor) {
   for (const auto& [m, n] : {std::pair(1, 0), std::pair(0, 1), std::pair(2, 1), std::pair(3, 2), std::pair(4, 3)}) {
-    Stage stage(torus());
+    AgedFilm stage(torus());
     for (Vertex v : stage.mesh.vertices()) stage.circulation.set(v, kFilm, wave(v, m, n));
     Diffusion diffusion(10);
     constexpr int steps = 5;
@@ -71,7 +71,7 @@ TEST(Diffusion, DampsEveryWaveByItsOwnFactor) {
 }
 
 TEST(Diffusion, TakesTheMeanOfEachPairAway) {
-  Stage stage(torus());
+  AgedFilm stage(torus());
   for (Vertex v : stage.mesh.vertices()) stage.circulation.set(v, kFilm, 1000 + wave(v, 1, 1));
   Diffusion diffusion(10);
   stage.diffuse(diffusion, 0.01);
@@ -83,7 +83,7 @@ TEST(Diffusion, TakesTheMeanOfEachPairAway) {
 }
 
 TEST(Diffusion, GoesNoFurtherThanTheNeighboursMean) {
-  Stage stage(torus());
+  AgedFilm stage(torus());
   for (Vertex v : stage.mesh.vertices()) stage.circulation.set(v, kFilm, wave(v, 2, 3));
   const double neighbours = (std::cos(pi / 2) + std::cos(pi) + std::cos(3 * pi / 2)) / 3;
   Diffusion diffusion(10);
@@ -93,7 +93,7 @@ TEST(Diffusion, GoesNoFurtherThanTheNeighboursMean) {
 }
 
 TEST(Diffusion, OfRateZeroLeavesEveryBitAlone) {
-  Stage stage(torus());
+  AgedFilm stage(torus());
   for (Vertex v : stage.mesh.vertices()) stage.circulation.set(v, kFilm, 7 + v.index() / 3.0);
   Diffusion diffusion(0);
   stage.diffuse(diffusion, 0.01);
@@ -102,7 +102,7 @@ TEST(Diffusion, OfRateZeroLeavesEveryBitAlone) {
 
 TEST(Diffusion, DoesNotMixThePairsThatMeetAtABorder) {
   for (const RegionPair source : {RegionPair(kFilm), RegionPair(air, Region(2)), RegionPair(Region(1), Region(2))}) {
-    Stage stage(double_bubble(12));
+    AgedFilm stage(double_bubble(12));
     for (Vertex v : stage.mesh.vertices())
       for (PairCirculation& held : stage.circulation.at(v))
         if (held.pair == source) held.value = std::sin(5.0 * v.index());
@@ -117,7 +117,7 @@ TEST(Diffusion, DoesNotMixThePairsThatMeetAtABorder) {
 }
 
 TEST(Diffusion, ToTheEndLeavesNoDifferenceOnAFilm) {
-  Stage stage(double_bubble(8));
+  AgedFilm stage(double_bubble(8));
   double value = 0;
   for (Vertex v : stage.mesh.vertices())
     for (PairCirculation& held : stage.circulation.at(v)) held.value = std::sin(value += 7);
@@ -127,7 +127,7 @@ TEST(Diffusion, ToTheEndLeavesNoDifferenceOnAFilm) {
     for (const PairCirculation& held : stage.circulation.at(v)) EXPECT_NEAR(held.value, 0, 1e-12);
 }
 
-std::vector<Vec3> velocities(const Stage& stage) {
+std::vector<Vec3> velocities(const AgedFilm& stage) {
   std::vector<SheetTriangle> sheet;
   gather_sheet(stage.mesh, stage.circulation, sheet);
   std::vector<Vec3> u(stage.mesh.vertex_slots());
@@ -136,7 +136,7 @@ std::vector<Vec3> velocities(const Stage& stage) {
 }
 
 TEST(Diffusion, TakingMeansAwayChangesNoVelocity) {
-  Stage stage(double_bubble(12));
+  AgedFilm stage(double_bubble(12));
   for (Vertex v : stage.mesh.vertices())
     for (PairCirculation& held : stage.circulation.at(v))
       held.value = 20.0 * held.pair.high.index() + std::sin(3.0 * v.index());

@@ -11,6 +11,7 @@
 #include "LosTopos/remeshing/edge_collapse.h"
 #include "LosTopos/remeshing/edge_split.h"
 #include "LosTopos/remeshing/remesher.h"
+#include "tests/FoamSim/sheet/values_at.h"
 #include "tests/support/film_meshes.h"
 
 namespace foamsim {
@@ -28,13 +29,6 @@ using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vec3;
 using lostopos::Vertex;
-using Values = std::map<RegionPair, double>;
-
-Values values_at(const CirculationField& circulation, Vertex v) {
-  Values values;
-  for (const auto& [pair, value] : circulation.at(v)) values[pair] = value;
-  return values;
-}
 
 std::set<RegionPair> pairs_that_meet_at(const SurfaceMesh& mesh, Vertex v) {
   std::set<RegionPair> pairs;

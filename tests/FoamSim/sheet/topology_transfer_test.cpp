@@ -2,9 +2,8 @@
 // here.
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "FoamSim/sheet/circulation.h"
+#include "tests/FoamSim/sheet/values_at.h"
 #include "tests/support/film_meshes.h"
 #include "tests/support/sample_meshes.h"
 
@@ -23,7 +22,6 @@ using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vec3;
 using lostopos::Vertex;
-using Values = std::map<RegionPair, double>;
 
 constexpr Region one{1}, two{2};
 constexpr Labels out_of_one{one, air}, out_of_two{two, air}, wall{one, two};
@@ -36,12 +34,6 @@ double mark(Vertex v, RegionPair pair) {
 void set_marks(const SurfaceMesh& mesh, CirculationField& circulation) {
   for (Vertex v : mesh.vertices())
     for (PairCirculation& held : circulation.at(v)) held.value = mark(v, held.pair);
-}
-
-Values values_at(const CirculationField& circulation, Vertex v) {
-  Values values;
-  for (const auto& [pair, value] : circulation.at(v)) values[pair] = value;
-  return values;
 }
 
 Place at(Vertex v) {

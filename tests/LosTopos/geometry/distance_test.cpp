@@ -11,9 +11,9 @@
 namespace lostopos::test {
 namespace {
 
-class Random {
+class RandomPoints {
  public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
+  explicit RandomPoints(std::uint64_t seed) : bits_(seed) {}
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
   }
@@ -80,12 +80,12 @@ TEST(PointTriangle, KnownRegions) {
 }
 
 TEST(PointTriangle, IsMinimalForRandomTriangles) {
-  Random random(1);
+  RandomPoints random(1);
   for (int i = 0; i < 20000; ++i) check_triangle(random.point(), random.point(), random.point(), random.point(), 1e-11);
 }
 
 TEST(PointTriangle, IsMinimalForSliversAndCollapsedTriangles) {
-  Random random(2);
+  RandomPoints random(2);
   for (int i = 0; i < 20000; ++i) {
     const Vec3 a = random.point();
     const Vec3 b = i % 7 == 0 ? a : random.point();
@@ -134,12 +134,12 @@ TEST(SegmentSegment, KnownPositions) {
 }
 
 TEST(SegmentSegment, IsMinimalForRandomSegments) {
-  Random random(3);
+  RandomPoints random(3);
   for (int i = 0; i < 20000; ++i) check_segments(random.point(), random.point(), random.point(), random.point(), 1e-11);
 }
 
 TEST(SegmentSegment, IsMinimalForNearlyParallelAndCollapsedSegments) {
-  Random random(4);
+  RandomPoints random(4);
   for (int i = 0; i < 20000; ++i) {
     const Vec3 p0 = random.point();
     const Vec3 p1 = i % 5 == 0 ? p0 : random.point();

@@ -19,12 +19,6 @@ const std::string ascii_triangle =
     "element face 1\nproperty list uchar int vertex_indices\nproperty int region_a\nproperty int region_b\n"
     "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 4 0\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return text.replace(place, from.size(), to);
-}
-
 TEST_F(PlyTest, RoundTripKeepsEveryBit) {
   write_ply(path("a.ply"), two_tetrahedra());
   expect_same_surface(read_ply(path("a.ply")), two_tetrahedra());

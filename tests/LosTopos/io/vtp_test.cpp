@@ -15,13 +15,7 @@ class VtpTest : public IoTest {
   }
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return text.replace(place, from.size(), to);
-}
-
-const std::string ascii_triangle = R"(<?xml version="1.0"?>
+const std::string handmade_triangle = R"(<?xml version="1.0"?>
 <VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">
   <!-- by hand: <Piece> -->
   <PolyData>
@@ -90,14 +84,14 @@ TEST_F(VtpTest, EmptySurfaceRoundTrip) {
 }
 
 TEST_F(VtpTest, ReadsAscii) {
-  const SurfaceData data = read_vtp(write("a.vtp", ascii_triangle));
+  const SurfaceData data = read_vtp(write("a.vtp", handmade_triangle));
   EXPECT_EQ(data.positions[1], Vec3(1, 0, 0));
   EXPECT_EQ(data.labels, (std::vector<Labels>{{Region{7}, Region{2}}}));
   EXPECT_TRUE(data.triangle_arrays.empty());
 }
 
 TEST_F(VtpTest, MissingRegionsAreOneBubbleInAir) {
-  std::string text = ascii_triangle;
+  std::string text = handmade_triangle;
   const std::size_t cells = text.find("<CellData>"), end = text.find("</CellData>");
   text.erase(cells, end + 11 - cells);
   EXPECT_EQ(read_vtp(write("a.vtp", text)).labels, (std::vector<Labels>{default_labels}));
@@ -106,7 +100,7 @@ TEST_F(VtpTest, MissingRegionsAreOneBubbleInAir) {
 // The byte count as UInt32 of the big end, encoded apart from the numbers as some programs do.
 TEST_F(VtpTest, ReadsOtherEncodingsOfBinary) {
   const std::string count("\0\0\0\x0c", 4), ids("\0\0\0\x02\0\0\0\x00\0\0\0\x01", 12);
-  std::string text = replaced(ascii_triangle, "LittleEndian", "BigEndian");
+  std::string text = replaced(handmade_triangle, "LittleEndian", "BigEndian");
   text =
       replaced(text, "Name=\"connectivity\" format=\"ascii\">0 1 2",
                "Name=\"connectivity\" format=\"binary\">\n " + base64_encode(count) + "\n" + base64_encode(ids) + "\n");
@@ -115,7 +109,7 @@ TEST_F(VtpTest, ReadsOtherEncodingsOfBinary) {
 
 TEST_F(VtpTest, ErrorsNameLineAndArray) {
   const auto wrong = [&](const char* from, const std::string& to) {
-    return error_of(replaced(ascii_triangle, from, to));
+    return error_of(replaced(handmade_triangle, from, to));
   };
   expect_contains(error_of(""), "no XML element");
   expect_contains(error_of("ply\n"), "line 1: text stands outside");

@@ -12,7 +12,7 @@
 namespace lostopos {
 namespace {
 
-constexpr Labels kFilm{Region(1), air};
+constexpr Labels outer_film{Region(1), air};
 
 void expect_only(const SurfaceMesh& mesh, Defect defect, const AuditOptions& options = {}) {
   const AuditReport report = audit(mesh, options);
@@ -123,7 +123,7 @@ TEST(AuditNotFinite, NaNAndInfinity) {
 TEST(AuditDegenerateTriangle, CornersOnALine) {
   SurfaceMesh mesh;
   const Vertex a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 1, 1}), c = mesh.add_vertex({3, 3, 3});
-  mesh.add_triangle(a, b, c, kFilm);
+  mesh.add_triangle(a, b, c, outer_film);
   expect_only(mesh, Defect::degenerate_triangle, {.closed_regions = false});
 }
 
@@ -131,7 +131,7 @@ TEST(AuditDegenerateTriangle, AlmostOnALineIsNone) {
   SurfaceMesh mesh;
   const Vertex a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 1, 1}),
                c = mesh.add_vertex({3, 3, std::nextafter(3.0, 4.0)});
-  mesh.add_triangle(a, b, c, kFilm);
+  mesh.add_triangle(a, b, c, outer_film);
   EXPECT_TRUE(audit(mesh, {.closed_regions = false}).clean());
 }
 
@@ -190,8 +190,8 @@ TEST(AuditIntersection, TwoTrianglesFoldedOntoEachOther) {
   SurfaceMesh mesh;
   const Vertex a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}), c = mesh.add_vertex({0.2, 1, 0}),
                d = mesh.add_vertex({0.6, 0.5, 0});
-  mesh.add_triangle(a, b, c, kFilm);
-  mesh.add_triangle(b, a, d, kFilm);
+  mesh.add_triangle(a, b, c, outer_film);
+  mesh.add_triangle(b, a, d, outer_film);
   EXPECT_TRUE(audit(mesh, {.closed_regions = false}).has(Defect::intersection));
 }
 

@@ -27,14 +27,14 @@ using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vec3;
 
-struct Problem {
+struct Sheet {
   VortexSources sources = {};
   double delta = 0;
 };
 
 // The sheet of a smooth circulation over a mesh.
-Problem sheet_of(const SurfaceMesh& mesh) {
-  Problem problem{.delta = 0.5 * lostopos::mean_edge_length(mesh)};
+Sheet sheet_of(const SurfaceMesh& mesh) {
+  Sheet problem{.delta = 0.5 * lostopos::mean_edge_length(mesh)};
   problem.sources.resize(mesh.triangle_count());
   std::size_t t = 0;
   const auto circulation = [](const Vec3& x) { return std::sin(3 * x.x()) + x.y() * x.z(); };
@@ -53,11 +53,11 @@ SurfaceMesh foam() {
   return build_surface(scene);
 }
 
-Problem flat_sheet() {
+Sheet flat_sheet() {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> value(-1, 1);
   constexpr std::size_t n = 6000;
-  Problem problem{.delta = 0.01};
+  Sheet problem{.delta = 0.01};
   problem.sources.resize(n);
   for (std::size_t t = 0; t < n; ++t) {
     const Vec3 x(value(random), value(random), 0);
@@ -80,13 +80,13 @@ double error(const std::vector<Vec3>& values, const std::vector<Vec3>& exact) {
 
 struct Named {
   const char* name;
-  std::function<Problem()> make;
+  std::function<Sheet()> make;
 };
 
 class TreeSumOn : public testing::TestWithParam<Named> {};
 
 TEST_P(TreeSumOn, IsWithinItsTolerance) {
-  const Problem problem = GetParam().make();
+  const Sheet problem = GetParam().make();
   ASSERT_GT(problem.sources.size(), 3000U);
   PairSums exact, sums;
   DirectPairSums(Precision::doubles).evaluate(problem.sources, problem.delta, PairTerms::all, exact);
@@ -106,7 +106,7 @@ TEST_P(TreeSumOn, IsWithinItsTolerance) {
 }
 
 TEST_P(TreeSumOn, GivesVelocitiesElsewhere) {
-  const Problem problem = GetParam().make();
+  const Sheet problem = GetParam().make();
   std::vector<Vec3> targets, exact(2000), velocities(2000);
   for (std::size_t i = 0; i < exact.size(); ++i) {
     const std::size_t t = i % problem.sources.size();
@@ -125,8 +125,8 @@ TEST_P(TreeSumOn, GivesVelocitiesElsewhere) {
 
 // Σ γ'·Ψ[γ] = Σ γ·Ψ[γ'] to the rounding of the precision, not to the tolerance.
 TEST_P(TreeSumOn, IsSymmetric) {
-  const Problem one = GetParam().make();
-  Problem two = one;
+  const Sheet one = GetParam().make();
+  Sheet two = one;
   for (std::size_t t = 0; t < two.sources.size(); ++t)
     two.sources.set(t, Vec3(one.sources.x[t], one.sources.y[t], one.sources.z[t]),
                     Vec3(one.sources.gz[t], -one.sources.gx[t], one.sources.x[t] * one.sources.gy[t]));
@@ -147,7 +147,7 @@ TEST_P(TreeSumOn, IsSymmetric) {
 }
 
 TEST_P(TreeSumOn, HasTheSameBitsWithAnyNumberOfThreads) {
-  const Problem problem = GetParam().make();
+  const Sheet problem = GetParam().make();
   PairSums one, two;
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
@@ -190,7 +190,7 @@ TEST(TreeSum, OfNothingIsNothing) {
 }
 
 TEST(TreeSum, RefusesABadRegularisation) {
-  const Problem problem = flat_sheet();
+  const Sheet problem = flat_sheet();
   PairSums sums;
   for (double delta : {0.0, -1.0, std::numeric_limits<double>::infinity()})
     EXPECT_THROW(TreePairSums({}, Precision::doubles).evaluate(problem.sources, delta, PairTerms::all, sums),
@@ -210,8 +210,8 @@ TEST(TreeAccuracy, TakesMoreForLess) {
 }
 
 TEST(AutomaticSum, IsDirectForFewAndByTreeForMany) {
-  const Problem few = sheet_of(double_bubble(12)), many = sheet_of(double_bubble(48));
-  for (const Problem* problem : {&few, &many}) {
+  const Sheet few = sheet_of(double_bubble(12)), many = sheet_of(double_bubble(48));
+  for (const Sheet* problem : {&few, &many}) {
     const std::vector<Vec3> targets(10, Vec3(0.1, 0.2, 0.3));
     std::vector<Vec3> automatic(10), direct(10), tree(10);
     const TreeOptions options{.direct_up_to = 6000};

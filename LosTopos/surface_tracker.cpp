@@ -86,15 +86,23 @@ void SurfaceTracker::move_part(std::span<const Vec3> predicted, TrackerStep& don
   done.move_area += total_area(mesh_) - asked;
 }
 
-void SurfaceTracker::improve(TrackerStep& done) {
+void SurfaceTracker::improve(TrackerStep& done, const AfterStage& after) {
+  const auto tell = [&after](TrackerStage stage) {
+    if (after) after(stage);
+  };
+  tell(TrackerStage::move);
   const double moved = total_area(mesh_);
   {
     const base::TimedScope timed(done.topology_seconds);
     done.topology += change_topology();
   }
+  tell(TrackerStage::topology);
   const double changed = total_area(mesh_);
-  const base::TimedScope timed(done.remesh_seconds);
-  done.remesh += remesh();
+  {
+    const base::TimedScope timed(done.remesh_seconds);
+    done.remesh += remesh();
+  }
+  tell(TrackerStage::remesh);
   done.topology_area += changed - moved;
   done.remesh_area += total_area(mesh_) - changed;
 }
@@ -121,7 +129,8 @@ int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done)
   return done.move.fraction > 0 ? 0 : parts;
 }
 
-TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted, const FollowsMotion& follows) {
+TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted, const FollowsMotion& follows,
+                                 const AfterStage& after) {
   require_resolved(predicted);
   TrackerStep done;
   done.move.fraction = 0;
@@ -129,7 +138,7 @@ TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted, const FollowsM
   done.parts = std::max(1, parts);
   if (parts == 1) move_part(predicted, done);
   if (parts <= 1) {
-    improve(done);
+    improve(done, after);
     return done;
   }
   std::vector<Vec3> targets;
@@ -138,7 +147,7 @@ TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted, const FollowsM
     for (Vertex v : mesh_.vertices())
       if (part == 0 || !follows || follows(v)) targets[v.index()] += (*motion_)[v] / parts;
     move_part(targets, done);
-    improve(done);
+    improve(done, after);
   }
   return done;
 }

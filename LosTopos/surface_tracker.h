@@ -45,6 +45,12 @@ struct TrackerStep {
 /// it.
 using FollowsMotion = std::function<bool(Vertex)>;
 
+/// What a step of the tracker is made of.
+enum class TrackerStage { move, topology, remesh };
+
+/// Told, with the surface as it is then, that a stage has been done.
+using AfterStage = std::function<void(TrackerStage)>;
+
 /// Moves a labelled surface to where a simulation predicts it to be without letting it intersect itself, and keeps its
 /// triangles well shaped: the one class that a simulation talks to.
 class SurfaceTracker {
@@ -83,8 +89,9 @@ class SurfaceTracker {
   /// topology where that is asked for, and remeshes. A motion in which surfaces collide and that is long (see
   /// TopologyOptions::longest_motion) is done in equal parts with topology and remeshing after each, and is carried
   /// along by the vertices through these operations; those that do not follow it any more (`follows`; empty: all do)
-  /// stay for the rest of the step. When a part throws, the surface is as the parts before have left it.
-  TrackerStep step(std::span<const Vec3> predicted, const FollowsMotion& follows = {});
+  /// stay for the rest of the step. When a part throws, the surface is as the parts before have left it. `after`, where
+  /// there is one, is called after every stage of every part, and must not change the surface.
+  TrackerStep step(std::span<const Vec3> predicted, const FollowsMotion& follows = {}, const AfterStage& after = {});
 
   /// Moves every living vertex in a straight line to, or near, its entry of `predicted` (L, indexed by vertex handle,
   /// one per slot). Throws MotionError, with the mesh as it was, when a prediction is not finite or too far
@@ -106,7 +113,7 @@ class SurfaceTracker {
   double note_motion(std::span<const Vec3> predicted);
   int parts_of(std::span<const Vec3> predicted, TrackerStep& done);
   void move_part(std::span<const Vec3> predicted, TrackerStep& done);
-  void improve(TrackerStep& done);
+  void improve(TrackerStep& done, const AfterStage& after);
 
   SurfaceMesh mesh_;
   TrackerOptions options_;

@@ -41,7 +41,7 @@ void FilmMotion::add_inertia(const FilmConnectivity& films, const FilmShape& sha
       const std::size_t t = corner / 3, k = corner % 3;
       const auto& corners = films.corners[t];
       const auto& circulation = corner_circulation_[t];
-      Vec3 carried = Vec3::Zero(), turning = Vec3::Zero();  // W and Ṅ of METHOD's item 5
+      Vec3 carried = Vec3::Zero(), turning = Vec3::Zero();  // W and Ṅ of docs/method.md's item 5
       for (std::size_t i = 0; i < 3; ++i) {
         carried += circulation[i] * velocity[corners[i]];
         turning -= velocity[corners[i]].cross(opposite_edge(films, t, i, positions));

@@ -112,11 +112,21 @@ double Simulation::tension() const {
 }
 
 void Simulation::track(StepReport& report) {
-  lostopos::TrackerStep done = tracker_->step(predicted_);
+  double air = 0;
+  const auto measure = [&](lostopos::TrackerStage stage) {
+    const double now = air_energy();
+    if (stage == lostopos::TrackerStage::topology) *report.topology_air_energy += now - air;
+    if (stage == lostopos::TrackerStage::remesh) *report.remesh_air_energy += now - air;
+    air = now;
+  };
+  if (options_.air_by_stage) report.topology_air_energy = report.remesh_air_energy = 0.0;
+  lostopos::TrackerStep done =
+      tracker_->step(predicted_, {}, options_.air_by_stage ? lostopos::AfterStage(measure) : lostopos::AfterStage());
   report.times.add("move", done.move_seconds);
   if (options_.tracker.topology.enabled) report.times.add("topology", done.topology_seconds);
   if (options_.tracker.remeshing) report.times.add("remesh", done.remesh_seconds);
   const double settled = settle(report);
+  if (options_.air_by_stage) measure(lostopos::TrackerStage::remesh);
   report.move_energy = tension() * done.move_area;
   report.topology_energy = tension() * done.topology_area;
   report.remesh_energy = tension() * (done.remesh_area + settled);
@@ -125,6 +135,12 @@ void Simulation::track(StepReport& report) {
   topology_totals_.add(done.topology);
   report.topology += done.topology;
   report.remesh = done.remesh;
+}
+
+// Of the surface as it lies, within a step.
+double Simulation::air_energy() {
+  geometry_.update(tracker_->mesh(), solid());
+  return parts_.dynamics->air(effect_step(), *circulation_).kinetic_energy;
 }
 
 // What effects still have to say of where the vertices are; the tracker sees to it that nothing intersects.

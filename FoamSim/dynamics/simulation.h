@@ -18,6 +18,8 @@ struct SimulationOptions {
   double dt = 0.01;       ///< length of a step, T; 0: what the dynamics choose for the start surface
   double delta = 0;       ///< regularisation δ, L; 0: what the dynamics choose
   double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
+  /// Measure the air's energy after move, topology and remeshing of every step: three sums over all pairs.
+  bool air_by_stage = false;
   /// How the surface is moved and remeshed; its resolution is set to h̄. Nothing is remeshed unless it says so.
   lostopos::TrackerOptions tracker = {.remeshing = false};
 };
@@ -84,6 +86,7 @@ class Simulation {
   void count_work(const AirState& before, double films_before, StepReport& report);
   EffectStep effect_step() const;
   void track(StepReport& report);
+  double air_energy();
   void remesh_start();
   double chosen_dt() const;
   double settle(StepReport& report);

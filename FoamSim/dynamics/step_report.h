@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "Base/timing/stage_times.h"
 #include "LosTopos/surface_tracker.h"
 
@@ -33,6 +35,8 @@ struct StepReport {
   /// where collisions kept vertices from going where they should; topology; remeshing, and effects that settle the
   /// vertices behind it.
   double move_energy = 0, topology_energy = 0, remesh_energy = 0;
+  /// The same of the air, where SimulationOptions::air_by_stage asks for it.
+  std::optional<double> topology_air_energy, remesh_air_energy;
   /// Energy (L⁵/T²) that effects have put in from outside: in the films and the air before the step by bursts and
   /// displacements, by blowing into the air, and by velocities that they add into the films.
   double effect_work = 0;

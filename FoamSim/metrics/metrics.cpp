@@ -41,6 +41,8 @@ void take_tracker_counts(const StepReport& report, Metrics& m) {
   m.move_energy = report.move_energy;
   m.topology_energy = report.topology_energy;
   m.remesh_energy = report.remesh_energy;
+  m.topology_air_energy = report.topology_air_energy;
+  m.remesh_air_energy = report.remesh_air_energy;
   m.midpoint_rounds = report.midpoint_rounds;
   m.effect_work = report.effect_work;
   m.wire_work = report.wire_work;

@@ -34,6 +34,7 @@ struct Metrics {
   double correction = 0;
   double tracker_surface_energy = 0, tracker_kinetic_energy = 0;   ///< L⁵/T²
   double move_energy = 0, topology_energy = 0, remesh_energy = 0;  ///< see StepReport, L⁵/T²
+  std::optional<double> topology_air_energy, remesh_air_energy;    ///< see StepReport, L⁵/T²
   long midpoint_rounds = 0;
   double effect_work = 0, wire_work = 0;  ///< see StepReport, L⁵/T²
   long wire_iterations = 0;

@@ -90,6 +90,8 @@ std::vector<Column> energy_columns() {
       {"wire_work", [](const Metrics& m) { return cell_text(m.wire_work); }},
       {"wire_iterations", [](const Metrics& m) { return cell_text(m.wire_iterations); }},
       {"implicit_iterations", [](const Metrics& m) { return cell_text(m.implicit_iterations); }},
+      {"topology_air_energy", [](const Metrics& m) { return cell_text(m.topology_air_energy); }},
+      {"remesh_air_energy", [](const Metrics& m) { return cell_text(m.remesh_air_energy); }},
   };
 }
 

@@ -119,6 +119,7 @@ SimulationOptions simulation_options(const base::OptionSet& given) {
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
+          .air_by_stage = options.flag("air_by_stage"),
           .tracker = tracker};
 }
 

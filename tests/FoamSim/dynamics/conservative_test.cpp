@@ -186,6 +186,33 @@ TEST(Conservative, DoesNotWinEnergyOnARemeshedDoubleBubble) {
   EXPECT_LT(impulse, 0.01);
 }
 
+// Nothing collides here, so that all that the tracker does to the air is remeshing; the whole is known to second order
+// in dt, one step later.
+TEST(Conservative, TellsWhatRemeshingPutsIntoTheAirAndStaysAsItIs) {
+  const auto run = [](bool measured) {
+    SimulationOptions options{.dt = 0.01, .resolution = 0.25, .air_by_stage = measured};
+    options.tracker.remeshing = true;
+    auto simulation = std::make_unique<Simulation>(double_bubble(12), options, parts({}));
+    std::vector<StepReport> reports;
+    for (int i = 0; i < 40; ++i) reports.push_back(simulation->step());
+    return std::pair(std::move(simulation), std::move(reports));
+  };
+  const auto [simulation, reports] = run(true);
+  double most = 0, amiss = 0;
+  for (std::size_t i = 0; i + 1 < reports.size(); ++i) {
+    ASSERT_EQ(reports[i].move.collisions, 0U);
+    EXPECT_EQ(reports[i].topology_air_energy, 0.0);
+    const double remeshing = reports[i].remesh_air_energy.value();
+    most = std::max(most, std::abs(remeshing));
+    amiss = std::max(amiss, std::abs(reports[i + 1].tracker_kinetic_energy - remeshing));
+  }
+  EXPECT_GT(most, 0.001) << "hardly remeshed: too weak a test";
+  EXPECT_LT(amiss, 0.25 * most);
+  const auto [same, silent] = run(false);
+  EXPECT_FALSE(silent.back().remesh_air_energy);
+  EXPECT_TRUE(lostopos::test::same_bits(same->state().tracker, simulation->state().tracker));
+}
+
 TEST(Conservative, GoesOnFromASavedStateToTheBit) {
   const auto make = [] { return Simulation(double_bubble(8), fixed(0.01), parts({}, true)); };
   Simulation whole = make(), first = make(), second = make();

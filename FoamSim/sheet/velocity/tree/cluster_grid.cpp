@@ -3,6 +3,7 @@
 #include <array>
 
 #include "Base/parallel/for_each.h"
+#include "FoamSim/sheet/velocity/tree/leaf_grid.h"
 
 namespace foamsim {
 
@@ -52,40 +53,17 @@ void contract(const Real* in, std::size_t n, const Matrix& m, Real* out) {
     }
 }
 
-template <class Real>
-void add_leaf_charges(const GridPoints<Real>& grid, std::uint32_t c, const TreeBodies<Real>& points,
-                      const Chebyshev& nodes, Real* charges) {
-  const std::size_t n = nodes.size(), plane = n * n;
-  std::array<Chebyshev::Values, 3> l{};
-  std::array<Real, most_plane> product{};
-  for (std::size_t i = 0; i < points.size; ++i) {
-    nodes.values(static_cast<double>(points.x[i]) / grid.half(c, 0), l[0]);
-    nodes.values(static_cast<double>(points.y[i]) / grid.half(c, 1), l[1]);
-    nodes.values(static_cast<double>(points.z[i]) / grid.half(c, 2), l[2]);
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t k = 0; k < n; ++k) product[j * n + k] = static_cast<Real>(l[1][j] * l[2][k]);
-    std::size_t component = 0;
-    for (Real strength : {points.gx[i], points.gy[i], points.gz[i]}) {
-      Real* q = charges + component++ * n * plane;
-      for (std::size_t x = 0; x < n; ++x) {
-        const Real weight = static_cast<Real>(l[0][x]) * strength;
-        for (std::size_t j = 0; j < plane; ++j) q[x * plane + j] += weight * product[j];
-      }
-    }
-  }
-}
-
 }  // namespace
 
 template <class Real>
 GridPoints<Real>::GridPoints(const ClusterTree& tree, const Chebyshev& nodes, double length)
-    : size_(grid_size(nodes)), half_(3 * tree.clusters().size(), 1.0) {
+    : size_(grid_size(nodes)), half_(tree.clusters().size(), HalfSides{1, 1, 1}) {
   const std::size_t clusters = tree.clusters().size(), n = nodes.size();
   for (TreeArray<Real>* array : {&x_, &y_, &z_}) array->assign(clusters * size_ + tree_lanes, Real{0});
   base::parallel_for_each(clusters, 16, [&](std::size_t i) {
     const Vec3 half = tree[static_cast<std::uint32_t>(i)].half / length;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const double side = half[static_cast<Eigen::Index>(axis)]; side > 0) half_[3 * i + axis] = side;
+      if (const double side = half[static_cast<Eigen::Index>(axis)]; side > 0) half_[i][axis] = side;
     std::size_t at = i * size_;
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b)
@@ -98,10 +76,10 @@ GridPoints<Real>::GridPoints(const ClusterTree& tree, const Chebyshev& nodes, do
 }
 
 template <class Real>
-TreeArray<Real> gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const TreeBodies<Real>& points,
-                               const Chebyshev& nodes) {
+void gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const TreeBodies<Real>& points,
+                    const Chebyshev& nodes, TreeArray<Real>& charges) {
   const std::size_t size = grid_size(nodes);
-  TreeArray<Real> charges(3 * size * tree.clusters().size(), Real{0});
+  charges.assign(3 * size * tree.clusters().size(), Real{0});
   const auto levels = tree.levels();
   for (std::size_t level = levels.size() - 1; level-- > 0;)
     base::parallel_ranges(levels[level], levels[level + 1], 1, [&](std::size_t begin, std::size_t end) {
@@ -111,7 +89,7 @@ TreeArray<Real> gather_charges(const ClusterTree& tree, const GridPoints<Real>& 
         Real* own = charges.data() + 3 * size * c;
         if (cluster.leaf()) {
           const std::uint32_t b = cluster.begin;
-          add_leaf_charges(grid, c,
+          add_leaf_charges(grid.halves(c),
                            TreeBodies<Real>{points.x + b, points.y + b, points.z + b, points.gx + b, points.gy + b,
                                             points.gz + b, cluster.size()},
                            nodes, own);
@@ -127,7 +105,6 @@ TreeArray<Real> gather_charges(const ClusterTree& tree, const GridPoints<Real>& 
         }
       }
     });
-  return charges;
 }
 
 void spread_to_children(const ClusterTree& tree, const Chebyshev& nodes, std::span<double> potentials) {
@@ -150,70 +127,11 @@ void spread_to_children(const ClusterTree& tree, const Chebyshev& nodes, std::sp
     });
 }
 
-template <class Real>
-void add_interpolated(const GridPoints<Real>& grid, std::uint32_t c, const TreeBodies<Real>& points,
-                      const Chebyshev& nodes, const double* potential, TreeTerms terms, double* out,
-                      std::size_t stride) {
-  const std::size_t n = nodes.size(), plane = n * n;
-  std::array<Chebyshev::Values, 3> value{}, slope{};
-  std::array<double, most_plane> sums{}, along{};
-  for (std::size_t i = 0; i < points.size; ++i) {
-    const std::array<Real, 3> x{points.x[i], points.y[i], points.z[i]};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      nodes.values(static_cast<double>(x[axis]) / grid.half(c, axis), value[axis]);
-      nodes.slopes(value[axis], slope[axis]);
-      for (std::size_t k = 0; k < n; ++k) slope[axis][k] /= grid.half(c, axis);
-    }
-    std::array<std::array<double, 4>, 3> got{};  // by component: value, ∂x, ∂y, ∂z
-    for (std::size_t part = 0; part < 3; ++part) {
-      const double* from = potential + part * n * plane;
-      sums.fill(0);
-      along.fill(0);
-      for (std::size_t a = 0; a < n; ++a) {
-        const double weight = value[0][a], tilt = slope[0][a];
-        for (std::size_t j = 0; j < plane; ++j) {
-          sums[j] += weight * from[a * plane + j];
-          along[j] += tilt * from[a * plane + j];
-        }
-      }
-      for (std::size_t b = 0; b < n; ++b) {
-        double at = 0, at_x = 0, at_z = 0;
-        for (std::size_t d = 0; d < n; ++d) {
-          at += value[2][d] * sums[b * n + d];
-          at_x += value[2][d] * along[b * n + d];
-          at_z += slope[2][d] * sums[b * n + d];
-        }
-        const double weight = value[1][b];
-        got[part][0] += weight * at;
-        got[part][1] += weight * at_x;
-        got[part][2] += slope[1][b] * at;
-        got[part][3] += weight * at_z;
-      }
-    }
-    std::size_t component = 0;
-    if (terms != TreeTerms::velocity)
-      for (std::size_t part = 0; part < 3; ++part) out[component++ * stride + i] += got[part][0];
-    if (terms == TreeTerms::potential) continue;
-    out[component++ * stride + i] += got[2][2] - got[1][3];
-    out[component++ * stride + i] += got[0][3] - got[2][1];
-    out[component++ * stride + i] += got[1][1] - got[0][2];
-    if (terms != TreeTerms::all) continue;
-    const std::array<double, 3> gamma{points.gx[i], points.gy[i], points.gz[i]};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      out[component++ * stride + i] +=
-          gamma[0] * got[0][axis + 1] + gamma[1] * got[1][axis + 1] + gamma[2] * got[2][axis + 1];
-  }
-}
-
 template class GridPoints<double>;
 template class GridPoints<float>;
-template TreeArray<double> gather_charges(const ClusterTree&, const GridPoints<double>&, const TreeBodies<double>&,
-                                          const Chebyshev&);
-template TreeArray<float> gather_charges(const ClusterTree&, const GridPoints<float>&, const TreeBodies<float>&,
-                                         const Chebyshev&);
-template void add_interpolated(const GridPoints<double>&, std::uint32_t, const TreeBodies<double>&, const Chebyshev&,
-                               const double*, TreeTerms, double*, std::size_t);
-template void add_interpolated(const GridPoints<float>&, std::uint32_t, const TreeBodies<float>&, const Chebyshev&,
-                               const double*, TreeTerms, double*, std::size_t);
+template void gather_charges(const ClusterTree&, const GridPoints<double>&, const TreeBodies<double>&, const Chebyshev&,
+                             TreeArray<double>&);
+template void gather_charges(const ClusterTree&, const GridPoints<float>&, const TreeBodies<float>&, const Chebyshev&,
+                             TreeArray<float>&);
 
 }  // namespace foamsim

@@ -4,6 +4,7 @@
 
 #include "FoamSim/sheet/velocity/tree/chebyshev.h"
 #include "FoamSim/sheet/velocity/tree/cluster_tree.h"
+#include "FoamSim/sheet/velocity/tree/leaf_grid.h"
 #include "FoamSim/sheet/velocity/tree/tree_kernel.h"
 
 namespace foamsim {
@@ -31,29 +32,21 @@ class GridPoints {
             q == nullptr ? q : q + 2 * size_,
             size_};
   }
-  /// Half the side of cluster c's box; 1 where it has none.
-  double half(std::uint32_t c, std::size_t axis) const { return half_[3 * c + axis]; }
+  const HalfSides& halves(std::uint32_t c) const { return half_[c]; }
 
  private:
   std::size_t size_;
   TreeArray<Real> x_, y_, z_;
-  std::vector<double> half_;
+  std::vector<HalfSides> half_;
 };
 
 /// Charges of all grids whose interpolants act far away as the points do: the leaves' from points (in the tree's
-/// order), the others' from their children.
+/// order), the others' from their children; 3 arrays a cluster.
 template <class Real>
-TreeArray<Real> gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const TreeBodies<Real>& points,
-                               const Chebyshev& nodes);
+void gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const TreeBodies<Real>& points,
+                    const Chebyshev& nodes, TreeArray<Real>& charges);
 
 /// Adds to the potentials on all grids (3 arrays a cluster) what their parents' interpolants are there.
 void spread_to_children(const ClusterTree& tree, const Chebyshev& nodes, std::span<double> potentials);
-
-/// Adds what the potential's interpolant on cluster c's grid gives to points: itself, its curl, its gradient times the
-/// points' strengths.
-template <class Real>
-void add_interpolated(const GridPoints<Real>& grid, std::uint32_t c, const TreeBodies<Real>& points,
-                      const Chebyshev& nodes, const double* potential, TreeTerms terms, double* out,
-                      std::size_t stride);
 
 }  // namespace foamsim

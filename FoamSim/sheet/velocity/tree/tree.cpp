@@ -28,7 +28,7 @@ void TreeBiotSavart::velocities(const VortexSources& sources, std::span<const Ve
   }
   check_arguments(sources, targets, delta, out);
   PairSums sums;
-  tree_sum(sources, &targets, delta, TreeTerms::velocity, accuracy_of(options_, sources.size()), sums);
+  TreeSum().evaluate(sources, &targets, delta, TreeTerms::velocity, accuracy_of(options_, sources.size()), sums);
   std::ranges::copy(sums.velocity, out.begin());
 }
 
@@ -42,8 +42,8 @@ void TreePairSums::evaluate(const VortexSources& sources, double delta, PairTerm
     return;
   }
   if (!std::isfinite(delta) || !(delta > 0)) throw base::InputError("delta has to be a finite length > 0");
-  tree_sum(sources, nullptr, delta, terms == PairTerms::all ? TreeTerms::all : TreeTerms::potential,
-           accuracy_of(options_, sources.size()), sums);
+  tree_.evaluate(sources, nullptr, delta, terms == PairTerms::all ? TreeTerms::all : TreeTerms::potential,
+                 accuracy_of(options_, sources.size()), sums);
 }
 
 }  // namespace foamsim

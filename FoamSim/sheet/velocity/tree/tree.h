@@ -34,6 +34,7 @@ class TreePairSums final : public PairSummation {
  private:
   TreeOptions options_;
   DirectPairSums direct_;
+  TreeSum tree_;
 };
 
 }  // namespace foamsim

@@ -117,7 +117,7 @@ TEST_P(TreeSumOn, GivesVelocitiesElsewhere) {
   EXPECT_LT(error(velocities, exact), 1e-5);
   PairSums all;
   const std::span<const Vec3> at = targets;
-  tree_sum(problem.sources, &at, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-5, 6000), all);
+  TreeSum().evaluate(problem.sources, &at, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-5, 6000), all);
   EXPECT_LT(error(all.velocity, exact), 1e-5);
   EXPECT_EQ(all.potential.size(), targets.size());
   EXPECT_EQ(largest(all.force), 0) << "targets have no strength";
@@ -139,8 +139,8 @@ TEST_P(TreeSumOn, IsSymmetric) {
   PairSums of_one, of_two;
   for (bool single : {false, true}) {
     const TreeAccuracy accuracy{.nodes = 4, .openness = 0.7, .single_near = single, .single_far = single};
-    tree_sum(one.sources, nullptr, one.delta, TreeTerms::potential, accuracy, of_one);
-    tree_sum(two.sources, nullptr, two.delta, TreeTerms::potential, accuracy, of_two);
+    TreeSum().evaluate(one.sources, nullptr, one.delta, TreeTerms::potential, accuracy, of_one);
+    TreeSum().evaluate(two.sources, nullptr, two.delta, TreeTerms::potential, accuracy, of_two);
     const double scale = std::sqrt(product(one.sources, of_one) * product(two.sources, of_two));
     EXPECT_NEAR(product(two.sources, of_one), product(one.sources, of_two), (single ? 1e-6 : 1e-13) * scale);
   }
@@ -151,13 +151,43 @@ TEST_P(TreeSumOn, HasTheSameBitsWithAnyNumberOfThreads) {
   PairSums one, two;
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
-    tree_sum(problem.sources, nullptr, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-4, 6000), one);
+    TreeSum().evaluate(problem.sources, nullptr, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-4, 6000), one);
   }
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
-  tree_sum(problem.sources, nullptr, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-4, 6000), two);
+  TreeSum().evaluate(problem.sources, nullptr, problem.delta, TreeTerms::all, TreeAccuracy::of(1e-4, 6000), two);
   EXPECT_EQ(one.potential, two.potential);
   EXPECT_EQ(one.velocity, two.velocity);
   EXPECT_EQ(one.force, two.force);
+}
+
+// Strengths change under clusters that stay; other points, another δ and another accuracy get clusters of their own.
+TEST_P(TreeSumOn, HasTheSameBitsWhateverItHasSummedBefore) {
+  const Sheet problem = GetParam().make();
+  Sheet other = problem;
+  for (std::size_t t = 0; t < other.sources.size(); ++t) other.sources.gx[t] = -3 * other.sources.gx[t] + 1e-3;
+  Sheet moved = problem;
+  moved.sources.z[7] += 0.01;
+  const std::vector<Vec3> elsewhere{Vec3(0.1, 0.2, 0.3)};
+  const std::span<const Vec3> targets = elsewhere;
+  const TreeAccuracy fine = TreeAccuracy::of(1e-5, 6000), coarse = TreeAccuracy::of(1e-3, 6000);
+  TreeSum summed;
+  const auto expect_as_anew = [&](const Sheet& sheet, const std::span<const Vec3>* at, double delta, TreeTerms terms,
+                                  const TreeAccuracy& accuracy, const char* what) {
+    PairSums again, anew;
+    summed.evaluate(sheet.sources, at, delta, terms, accuracy, again);
+    TreeSum().evaluate(sheet.sources, at, delta, terms, accuracy, anew);
+    EXPECT_EQ(again.potential, anew.potential) << what;
+    EXPECT_EQ(again.velocity, anew.velocity) << what;
+    EXPECT_EQ(again.force, anew.force) << what;
+  };
+  const double delta = problem.delta;
+  expect_as_anew(problem, nullptr, delta, TreeTerms::all, fine, "first");
+  expect_as_anew(other, nullptr, delta, TreeTerms::potential, fine, "other strengths");
+  expect_as_anew(moved, nullptr, delta, TreeTerms::all, fine, "a point moved");
+  expect_as_anew(moved, nullptr, 2 * delta, TreeTerms::all, fine, "another regularisation");
+  expect_as_anew(moved, nullptr, 2 * delta, TreeTerms::all, coarse, "another accuracy");
+  expect_as_anew(moved, &targets, 2 * delta, TreeTerms::velocity, coarse, "targets of its own");
+  expect_as_anew(problem, nullptr, delta, TreeTerms::all, fine, "as at first");
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, TreeSumOn,
@@ -167,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, TreeSumOn,
                                          Named{"flat_sheet", flat_sheet}),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST(TreeSum, WithoutRegularisationLeavesOwnPointsOut) {
+TEST(TreeSums, WithoutRegularisationLeavesOwnPointsOut) {
   VortexSources sources;
   sources.resize(2);
   sources.set(0, Vec3(0, 0, 0), Vec3(0, 0, 1));
@@ -179,7 +209,7 @@ TEST(TreeSum, WithoutRegularisationLeavesOwnPointsOut) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_LT((tree[i] - direct[i]).norm(), 1e-14);
 }
 
-TEST(TreeSum, OfNothingIsNothing) {
+TEST(TreeSums, OfNothingIsNothing) {
   const std::vector<Vec3> targets(3, Vec3::Ones());
   std::vector<Vec3> out(3, Vec3::Ones());
   TreeBiotSavart({}).velocities({}, targets, 0.1, out);
@@ -189,7 +219,7 @@ TEST(TreeSum, OfNothingIsNothing) {
   EXPECT_TRUE(sums.potential.empty());
 }
 
-TEST(TreeSum, RefusesABadRegularisation) {
+TEST(TreeSums, RefusesABadRegularisation) {
   const Sheet problem = flat_sheet();
   PairSums sums;
   for (double delta : {0.0, -1.0, std::numeric_limits<double>::infinity()})

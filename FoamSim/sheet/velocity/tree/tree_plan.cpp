@@ -1,0 +1,213 @@
+#include "FoamSim/sheet/velocity/tree/tree_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "Base/parallel/for_each.h"
+#include "FoamSim/sheet/velocity/tree/cluster_grid.h"
+#include "FoamSim/sheet/velocity/tree/cluster_pairs.h"
+#include "FoamSim/sheet/velocity/tree/leaf_grid.h"
+
+namespace foamsim {
+
+using lostopos::Vec3;
+
+namespace {
+
+Vec3 place(const VortexSources& sources, std::size_t t) {
+  return {sources.x[t], sources.y[t], sources.z[t]};
+}
+
+std::vector<Vec3> points_of(const VortexSources& sources) {
+  std::vector<Vec3> points(sources.size());
+  for (std::size_t t = 0; t < points.size(); ++t) points[t] = place(sources, t);
+  return points;
+}
+
+// What lengths are divided by, so that singles can hold them: δ, or the size of the whole.
+double unit_of_length(std::span<const Vec3> points, double delta) {
+  if (delta > 0) return delta;
+  Vec3 low = points[0], high = low;
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const double size = (high - low).maxCoeff();
+  return size > 0 ? size : 1;
+}
+
+double unit_of_strength(const VortexSources& sources) {
+  double strongest = 0;
+  for (std::size_t t = 0; t < sources.size(); ++t)
+    strongest = std::max({strongest, std::abs(sources.gx[t]), std::abs(sources.gy[t]), std::abs(sources.gz[t])});
+  return strongest > 0 ? strongest : 1;
+}
+
+// Points of a tree in its order, each from the middle of its leaf; without strengths unless they take some.
+template <class Real>
+struct Places {
+  TreeArray<Real> x, y, z, gx, gy, gz;
+
+  Places(const ClusterTree& tree, std::span<const Vec3> points, double unit) {
+    for (TreeArray<Real>* array : {&x, &y, &z, &gx, &gy, &gz}) array->assign(points.size() + tree_lanes, Real{0});
+    for (const Cluster& cluster : tree.clusters())
+      for (std::uint32_t i = cluster.begin; cluster.leaf() && i < cluster.end; ++i) {
+        const Vec3 from_middle = (points[tree.order()[i]] - cluster.middle) / unit;
+        x[i] = static_cast<Real>(from_middle.x());
+        y[i] = static_cast<Real>(from_middle.y());
+        z[i] = static_cast<Real>(from_middle.z());
+      }
+  }
+
+  void take_strengths(const ClusterTree& tree, const VortexSources& sources, double unit) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      gx[i] = static_cast<Real>(sources.gx[tree.order()[i]] / unit);
+      gy[i] = static_cast<Real>(sources.gy[tree.order()[i]] / unit);
+      gz[i] = static_cast<Real>(sources.gz[tree.order()[i]] / unit);
+    }
+  }
+
+  TreeBodies<Real> of(const Cluster& c) const {
+    const auto at = [&c](const TreeArray<Real>& array) { return array.data() + c.begin; };
+    return {at(x), at(y), at(z), at(gx), at(gy), at(gz), c.size()};
+  }
+};
+
+// Points as near ones and as parts of clusters, and the clusters' grids.
+template <class Near, class Far>
+struct Side {
+  ClusterTree tree;
+  Places<Near> near;
+  Places<Far> far;
+  GridPoints<Far> grid;
+
+  Side(std::span<const Vec3> points, std::size_t leaf_size, const Chebyshev& nodes, double length)
+      : tree(points, leaf_size), near(tree, points, length), far(tree, points, length), grid(tree, nodes, length) {}
+};
+
+template <class Near, class Far>
+class PlanOf final : public TreePlan {
+ public:
+  PlanOf(const VortexSources& sources, const std::span<const Vec3>* targets, double delta, const TreeAccuracy& accuracy)
+      : TreePlan(sources, targets, delta, accuracy),
+        nodes_(accuracy.nodes),
+        length_(unit_of_length(points_, delta)),
+        from_(points_, leaf_size(), nodes_, length_) {
+    if (targets_) own_.emplace(*targets_, leaf_size(), nodes_, length_);
+    pairs_.emplace(to().tree, from_.tree, accuracy.openness);
+  }
+
+  void sum(const VortexSources& sources, TreeTerms terms, PairSums& result) override {
+    const double strength = unit_of_strength(sources);
+    from_.near.take_strengths(from_.tree, sources, strength);
+    from_.far.take_strengths(from_.tree, sources, strength);
+    gather_charges(from_.tree, from_.grid, from_.far.of(Cluster()), nodes_, charges_);
+    potentials_.assign(to().tree.clusters().size() * 3 * grid_size(nodes_), 0.0);
+    out_.assign(components(terms) * stride(), 0.0);
+    meet(terms);
+    spread_to_children(to().tree, nodes_, potentials_);
+    arrive(terms);
+    hand_over(terms, std::numbers::inv_pi / 4 * strength / length_, strength, result);
+  }
+
+ private:
+  const Side<Near, Far>& to() const { return own_ ? *own_ : from_; }
+  std::size_t leaf_size() const { return accuracy_.leaf_size > 0 ? accuracy_.leaf_size : grid_size(nodes_); }
+  std::size_t stride() const { return to().far.x.size(); }
+  // A grid is met by potentials alone, single points by all terms, which is twice the work.
+  bool by_grid(const Cluster& c) const { return 2 * c.size() > grid_size(nodes_); }
+
+  TreeBodies<Far> source(std::uint32_t s) const {
+    if (!by_grid(from_.tree[s])) return from_.far.of(from_.tree[s]);
+    return from_.grid.bodies(s, charges_.data());
+  }
+
+  std::array<double, 3> offset(const Cluster& target, std::uint32_t s) const {
+    const Vec3 apart = (target.middle - from_.tree[s].middle) / length_;
+    return {apart.x(), apart.y(), apart.z()};
+  }
+
+  void meet(TreeTerms terms) {
+    const std::size_t size = grid_size(nodes_);
+    const double delta_squared = delta_ * delta_ / (length_ * length_);
+    base::parallel_for_each(pairs_->far.size(), 1, [&](std::size_t i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      const Cluster& cluster = to().tree[t];
+      double* arrived = out_.data() + cluster.begin;
+      for (std::uint32_t s : pairs_->far[t])
+        if (by_grid(cluster))
+          add_to_targets(to().grid.bodies(t, nullptr), source(s), offset(cluster, s), delta_squared,
+                         TreeTerms::potential, potentials_.data() + 3 * size * t, size);
+        else
+          add_to_targets(to().far.of(cluster), source(s), offset(cluster, s), delta_squared, terms, arrived, stride());
+      for (std::uint32_t s : pairs_->near[t])
+        add_to_targets(to().near.of(cluster), from_.near.of(from_.tree[s]), offset(cluster, s), delta_squared, terms,
+                       arrived, stride());
+    });
+  }
+
+  // From the leaves' grids to their points.
+  void arrive(TreeTerms terms) {
+    const Side<Near, Far>& side = to();
+    base::parallel_for_each(side.tree.clusters().size(), 1, [&](std::size_t i) {
+      const auto t = static_cast<std::uint32_t>(i);
+      const Cluster& cluster = side.tree[t];
+      if (cluster.leaf())
+        add_interpolated(side.grid.halves(t), side.far.of(cluster), nodes_,
+                         potentials_.data() + 3 * grid_size(nodes_) * t, terms, out_.data() + cluster.begin, stride());
+    });
+  }
+
+  // `scale`: of Ψ, in the problem's units.
+  void hand_over(TreeTerms terms, double scale, double strength, PairSums& result) const {
+    const auto order = to().tree.order();
+    const auto fill = [&](std::vector<Vec3>& array, std::size_t first, double unit) {
+      array.resize(order.size());
+      const double* x = out_.data() + first * stride();
+      base::parallel_for_each(order.size(), 1024, [&](std::size_t i) {
+        array[order[i]] = unit * Vec3(x[i], x[stride() + i], x[2 * stride() + i]);
+      });
+    };
+    if (terms != TreeTerms::velocity) fill(result.potential, 0, scale);
+    if (terms != TreeTerms::potential) fill(result.velocity, terms == TreeTerms::all ? 3 : 0, scale / length_);
+    if (terms == TreeTerms::all) fill(result.force, 6, scale / length_ * strength);
+  }
+
+  Chebyshev nodes_;
+  double length_;
+  Side<Near, Far> from_;
+  std::optional<Side<Near, Far>> own_;
+  std::optional<ClusterPairs> pairs_;
+  TreeArray<Far> charges_;
+  std::vector<double> out_, potentials_;
+};
+
+}  // namespace
+
+TreePlan::TreePlan(const VortexSources& sources, const std::span<const Vec3>* targets, double delta,
+                   const TreeAccuracy& accuracy)
+    : points_(points_of(sources)), delta_(delta), accuracy_(accuracy) {
+  if (targets != nullptr) targets_.emplace(targets->begin(), targets->end());
+}
+
+std::unique_ptr<TreePlan> TreePlan::make(const VortexSources& sources, const std::span<const Vec3>* targets,
+                                         double delta, const TreeAccuracy& accuracy) {
+  if (accuracy.single_near && accuracy.single_far)
+    return std::make_unique<PlanOf<float, float>>(sources, targets, delta, accuracy);
+  if (accuracy.single_near) return std::make_unique<PlanOf<float, double>>(sources, targets, delta, accuracy);
+  return std::make_unique<PlanOf<double, double>>(sources, targets, delta, accuracy);
+}
+
+bool TreePlan::fits(const VortexSources& sources, const std::span<const Vec3>* targets, double delta,
+                    const TreeAccuracy& accuracy) const {
+  if (delta != delta_ || accuracy != accuracy_ || points_.size() != sources.size()) return false;
+  if ((targets != nullptr) != targets_.has_value()) return false;
+  if (targets != nullptr && !std::ranges::equal(*targets, *targets_)) return false;
+  for (std::size_t t = 0; t < points_.size(); ++t)
+    if (points_[t] != place(sources, t)) return false;
+  return true;
+}
+
+}  // namespace foamsim

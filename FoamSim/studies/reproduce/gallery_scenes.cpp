@@ -13,7 +13,6 @@ namespace foamsim {
 namespace {
 
 using lostopos::Region;
-using lostopos::SurfaceMesh;
 using std::numbers::pi;
 
 using Measure = std::function<double(const Simulation&)>;

@@ -12,14 +12,14 @@
 namespace foamsim::app {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   SceneArguments scene;
   std::vector<std::string> areas{"naive", "constant-edge", "averaged"};
   bool no_pictures = false;
   std::string show;
 };
 
-std::string degrees(const std::optional<double>& angle) {
+std::string two_digits(const std::optional<double>& angle) {
   char text[32] = "-";
   if (angle) std::snprintf(text, sizeof(text), "%.2f", *angle);
   return text;
@@ -32,12 +32,12 @@ void print_table(const std::vector<ComparisonRow>& rows) {
               "");
   for (const ComparisonRow& row : rows)
     std::printf("%-14s %12s %12s %12s %14.5f %10.4f %8.2f%% %8.1f  %s at time %g\n", row.area.c_str(),
-                degrees(row.angle_outer_mean_deg).c_str(), degrees(row.angle_rms_deg).c_str(),
-                degrees(row.angle_rms_film_deg).c_str(), row.centroid_drift, row.energy, 100 * row.volume_drift_max,
+                two_digits(row.angle_outer_mean_deg).c_str(), two_digits(row.angle_rms_deg).c_str(),
+                two_digits(row.angle_rms_film_deg).c_str(), row.centroid_drift, row.energy, 100 * row.volume_drift_max,
                 row.seconds, row.ended.c_str(), row.time);
 }
 
-int compare(const Arguments& arguments, const Program& program) {
+int compare(const CompareArguments& arguments, const Program& program) {
   const SceneArguments& given = arguments.scene;
   if (!arguments.show.empty()) {
     print_table(read_comparison(std::filesystem::path(arguments.show) / "compare.csv"));
@@ -73,7 +73,7 @@ int compare(const Arguments& arguments, const Program& program) {
 
 void add_compare_command(base::Command& root, const Program& program) {
   base::Command& command = root.add_command("compare", "run a scene with each area strategy: table, plot, pictures");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   arguments->scene.add_to(command, program, false);
   add_areas(command, arguments->areas, *program.catalogue);
   command.add({.name = "--no-pictures", .target = &arguments->no_pictures, .help = "table only"});

@@ -51,7 +51,7 @@ ordered_json inspect(const std::string& file) {
   return report;
 }
 
-void print(const ordered_json& report) {
+void print_inspection(const ordered_json& report) {
   for (const auto& [key, value] : report.items()) {
     if (key == "volumes") {
       for (const auto& [region, volume] : value.items())
@@ -82,7 +82,7 @@ void add_inspect_command(base::Command& root, const Program&) {
     if (*as_json)
       std::printf("%s\n", report.dump(2).c_str());
     else
-      print(report);
+      print_inspection(report);
     return report.at("findings").empty() ? exit_done : exit_bad_input;
   });
 }

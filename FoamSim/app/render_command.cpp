@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Arguments {
+struct RenderArguments {
   std::vector<std::string> frames;
   std::string out, size = "800x600", background = "dark";
   std::vector<double> view{0.514, 0.242, 0.823};
@@ -40,7 +40,7 @@ void read_size(const std::string& size, render::RenderOptions& options) {
           "--size " + size + ": width and height have to be 1 to " + std::to_string(largest) + " pixels");
 }
 
-render::RenderOptions render_options(const Arguments& arguments) {
+render::RenderOptions render_options(const RenderArguments& arguments) {
   render::RenderOptions options = arguments.options;
   read_size(arguments.size, options);
   const std::map<std::string, render::Background> backgrounds{{"dark", render::Background::dark},
@@ -54,13 +54,13 @@ render::RenderOptions render_options(const Arguments& arguments) {
   return options;
 }
 
-Eigen::Vector3d view_of(const Arguments& arguments) {
+Eigen::Vector3d view_of(const RenderArguments& arguments) {
   Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
   require(view.allFinite() && view.norm() > 0, "--view has to be a direction, like 0 0 1");
   return view;
 }
 
-std::vector<fs::path> picture_files(const Arguments& arguments) {
+std::vector<fs::path> picture_files(const RenderArguments& arguments) {
   std::vector<fs::path> files;
   std::set<fs::path> taken;
   for (const std::string& frame : arguments.frames) {
@@ -72,7 +72,7 @@ std::vector<fs::path> picture_files(const Arguments& arguments) {
   return files;
 }
 
-void draw(const Arguments& arguments) {
+void draw(const RenderArguments& arguments) {
   const render::RenderOptions options = render_options(arguments);
   const Eigen::Vector3d view = view_of(arguments);
   const std::vector<fs::path> files = picture_files(arguments);
@@ -94,7 +94,7 @@ void draw(const Arguments& arguments) {
 void add_render_command(base::Command& root, const Program&) {
   using base::Argument;
   base::Command& command = root.add_command("render", "draw frames as pictures, all with the same camera");
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<RenderArguments>();
   command.add({.name = "frames",
                .target = &a->frames,
                .help = "mesh files",

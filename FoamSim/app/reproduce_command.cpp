@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Arguments {
+struct ReproduceArguments {
   std::string what, out = "out/reproduce";
   bool quick = false, force = false, quiet = false;
   int threads = 0;
@@ -29,7 +29,7 @@ std::string text(const std::optional<double>& value, const char* format = "%.2f"
   return cell;
 }
 
-void print_header() {
+void print_table1_header() {
   std::printf("%-14s %4s %17s %9s %9s %7s %10s %8s %8s %9s %6s %9s %9s  %s\n", "strategy", "N", "triangles", "RMS dev.",
               "of films", "exact", "published", "differ.", "outer", "height", "steps", "CPU s", "wall s", "ended");
 }
@@ -46,7 +46,7 @@ void print_row(const Table1Row& r) {
 
 // Each of these makes one part; false when interrupted.
 
-bool measures(const Arguments& arguments) {
+bool measures(const ReproduceArguments& arguments) {
   const auto rows = measure_exact_double_bubbles();
   fs::create_directories(arguments.out);
   write_angle_measures(fs::path(arguments.out) / "angle_measures.csv", rows);
@@ -58,7 +58,7 @@ bool measures(const Arguments& arguments) {
   return true;
 }
 
-bool table1(const Arguments& arguments, const Program& program) {
+bool table1(const ReproduceArguments& arguments, const Program& program) {
   Table1Settings settings;
   if (arguments.quick) settings.subdivisions.pop_back();
   settings.out = arguments.out;
@@ -79,12 +79,12 @@ bool table1(const Arguments& arguments, const Program& program) {
     progress->clear();
     if (!arguments.quiet) print_row(row);
   };
-  if (!arguments.quiet) print_header();
+  if (!arguments.quiet) print_table1_header();
   const auto rows = make_table1(settings, hooks);
   progress.reset();
   if (!arguments.quiet) {
     std::printf("\n");
-    print_header();
+    print_table1_header();
     for (const std::string& area : settings.areas)
       for (const Table1Row& row : rows)
         if (row.area == area) print_row(row);
@@ -93,7 +93,7 @@ bool table1(const Arguments& arguments, const Program& program) {
   return rows.size() == settings.subdivisions.size() * settings.areas.size();
 }
 
-bool figure1(const Arguments& arguments, const Program& program) {
+bool figure1(const ReproduceArguments& arguments, const Program& program) {
   RunSettings settings;
   settings.out = fs::path(arguments.out) / "figure1";
   settings.command = program.command_line;
@@ -127,7 +127,7 @@ bool figure1(const Arguments& arguments, const Program& program) {
   return true;
 }
 
-bool figure3(const Arguments& arguments, const Program& program) {
+bool figure3(const ReproduceArguments& arguments, const Program& program) {
   const auto rows = stretch_junction();
   fs::create_directories(arguments.out);
   write_stretched_junction(fs::path(arguments.out) / "figure3.csv", rows);
@@ -140,7 +140,7 @@ bool figure3(const Arguments& arguments, const Program& program) {
 }
 
 // A picture of each scene, and a table of the figures that scenes are known by.
-bool scenes(const Arguments& arguments) {
+bool scenes(const ReproduceArguments& arguments) {
   const fs::path folder = fs::path(arguments.out) / "scenes";
   fs::create_directories(folder);
   std::vector<GalleryRow> rows;
@@ -165,7 +165,7 @@ bool scenes(const Arguments& arguments) {
   return true;
 }
 
-int reproduce(const Arguments& arguments, const Program& program) {
+int reproduce(const ReproduceArguments& arguments, const Program& program) {
   const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   const bool all = arguments.what == "all";
@@ -185,7 +185,7 @@ int reproduce(const Arguments& arguments, const Program& program) {
 
 void add_reproduce_command(base::Command& root, const Program& program) {
   base::Command& command = root.add_command("reproduce", "the report's table and figures, beside the published values");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReproduceArguments>();
   command.add(
       {.name = "what",
        .target = &arguments->what,

@@ -10,7 +10,7 @@
 namespace foamsim::app {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   SceneArguments scene;
   std::string resume;
 };
@@ -83,7 +83,7 @@ std::string command_to_go_on(const Program& program, const SceneArguments& given
   return command;
 }
 
-int run(const Arguments& arguments, const Program& program) {
+int run(const RunArguments& arguments, const Program& program) {
   const SceneArguments& given = arguments.scene;
   if (given.scene.empty() && arguments.resume.empty())
     throw base::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
@@ -118,7 +118,7 @@ int run(const Arguments& arguments, const Program& program) {
 
 void add_run_command(base::Command& root, const Program& program) {
   base::Command& command = root.add_command("run", "simulate a scene");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   arguments->scene.add_to(command, program, true);
   command.add({.name = "--resume",
                .target = &arguments->resume,

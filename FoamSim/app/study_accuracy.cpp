@@ -12,33 +12,33 @@ namespace foamsim::app {
 
 namespace {
 
-struct Arguments {
+struct AccuracyArguments {
   AccuracyOptions options;
   std::string out = "out/accuracy";
   bool fixed_mesh = false, no_evolver = false, quiet = false, force = false;
   int threads = 0;
 };
 
-void print_header() {
+void print_accuracy_header() {
   std::printf("%-14s %4s %-6s %6s %9s %9s %8s %8s %8s %8s %8s %8s %8s %8s\n", "strategy", "N", "scheme", "dt",
               "triangles", "area", "radius", "rim", "wall", "pressure", "facets", "films", "volume", "CPU s");
   std::printf("%-14s %4s %-6s %6s %9s %9s %8s %8s %8s %8s %8s %8s %8s %8s\n", "", "", "", "", "", "error", "error",
               "error", "error", "error", "RMS deg", "RMS deg", "drift", "to rest");
 }
 
-std::string degrees(const std::optional<double>& angle) {
+std::string three_digits(const std::optional<double>& angle) {
   char text[32] = "-";
   if (angle) std::snprintf(text, sizeof(text), "%.3f", *angle);
   return text;
 }
 
-void print(const AccuracyRow& row) {
+void print_accuracy(const AccuracyRow& row) {
   std::printf("%-14s %4ld %-6s %6g %9zu ", row.area.c_str(), row.n, row.integrator.c_str(), row.dt, row.triangles);
   if (row.errors) {
     const EquilibriumErrors& e = *row.errors;
     std::printf("%8.3f%% %7.2f%% %7.2f%% %7.2f%% %7.2f%% %8s %8s ", 100 * e.area, 100 * e.radius, 100 * e.rim,
-                100 * e.wall, 100 * e.pressure, degrees(e.angle_rms_deg).c_str(),
-                degrees(e.angle_rms_film_deg).c_str());
+                100 * e.wall, 100 * e.pressure, three_digits(e.angle_rms_deg).c_str(),
+                three_digits(e.angle_rms_film_deg).c_str());
   }
   std::printf("%7.2f%% %8.2f", 100 * row.volume_drift, row.cpu_seconds);
   if (row.ended != "at rest") std::printf("  %s at time %g", row.ended.c_str(), row.time);
@@ -54,7 +54,7 @@ void make_quick(AccuracyOptions& options) {
   options.most_time = 8;
 }
 
-int study_accuracy_command(Arguments& arguments, const Program& program) {
+int study_accuracy_command(AccuracyArguments& arguments, const Program& program) {
   AccuracyOptions& options = arguments.options;
   options.remeshing = !arguments.fixed_mesh;
   validate(options);
@@ -63,7 +63,7 @@ int study_accuracy_command(Arguments& arguments, const Program& program) {
   const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   base::CsvTable table(out / "accuracy.csv", accuracy_csv_header());
-  print_header();
+  print_accuracy_header();
   {
     Progress progress("accuracy", arguments.quiet);
     study_accuracy(options,
@@ -71,7 +71,7 @@ int study_accuracy_command(Arguments& arguments, const Program& program) {
                         [&](const AccuracyRow& row) {
                           progress.clear();
                           table.add(accuracy_csv_row(row));
-                          print(row);
+                          print_accuracy(row);
                         },
                     .progress = [&](const std::string& label, double fraction) { progress.show(label, fraction); },
                     .interrupted = InterruptGuard::interrupted});
@@ -87,7 +87,7 @@ int study_accuracy_command(Arguments& arguments, const Program& program) {
 void add_study_accuracy(base::Command& study, const Program& program) {
   base::Command& command = study.add_command(
       "accuracy", "double bubbles brought to rest: errors against the closed form, and what they cost in time");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<AccuracyArguments>();
   AccuracyOptions& options = arguments->options;
   command.add({.name = "--sizes", .target = &options.sizes, .help = "N, separated by commas"});
   add_areas(command, options.areas, *program.catalogue);

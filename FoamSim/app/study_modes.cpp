@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Arguments {
+struct ModesArguments {
   std::string out = "out/modes";
   std::vector<long> modes{2, 3}, subdivisions{2, 3, 4};
   std::string dynamics = "vortex-sheet";
@@ -21,7 +21,7 @@ struct Arguments {
   int threads = 0;
 };
 
-void print(const ModeConvergence& result) {
+void print_modes(const ModeConvergence& result) {
   for (const ModeRun& run : result.runs)
     std::printf("%5ld %10zu %9.4f %10.5f %10.5f %9.2f%% %9.3f%% %12.1e\n", run.options.mode, run.triangles, run.delta,
                 run.omega, run.omega_theory, 100 * run.period_error(), 100 * run.energy_drift,
@@ -32,7 +32,7 @@ void print(const ModeConvergence& result) {
   std::printf("\n");
 }
 
-int study_modes(const Arguments& arguments, const Program& program) {
+int study_modes(const ModesArguments& arguments, const Program& program) {
   const fs::path out = arguments.out;
   require_new_study(out, "modes.csv", arguments.force);
   const ThreadLimit limit = thread_limit(arguments.threads);
@@ -49,7 +49,7 @@ int study_modes(const Arguments& arguments, const Program& program) {
       results.push_back(study_mode(options, arguments.subdivisions, [&](const ModeProgress&) {
         if (InterruptGuard::interrupted()) throw Interrupted();
       }));
-      print(results.back());
+      print_modes(results.back());
       std::fflush(stdout);
     }
   } catch (const Interrupted&) {
@@ -66,7 +66,7 @@ int study_modes(const Arguments& arguments, const Program& program) {
 
 void add_study_modes(base::Command& study, const Program& program) {
   base::Command& command = study.add_command("modes", "oscillation modes of a bubble against linear theory");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ModesArguments>();
   command.add({.name = "--modes", .target = &arguments->modes, .help = "modes to measure, separated by commas"});
   command.add({.name = "--subdivisions",
                .target = &arguments->subdivisions,

@@ -16,20 +16,20 @@ namespace {
 // --quick makes a twentieth of the steps.
 constexpr double quick_scale = 0.05;
 
-struct Arguments {
+struct StabilityArguments {
   StabilityOptions options;
   std::string out = "out/stability", remeshing = "both";
   bool list = false, quick = false, quiet = false, force = false;
   int threads = 0;
 };
 
-void print_header() {
+void print_stability_header() {
   std::printf("%-17s %-14s %-5s %-7s %9s %9s %9s %8s  %s\n", "case", "strategy", "mesh", "verdict", "energy", "volume",
               "impulse", "seconds", "figure; reason");
   std::printf("%-17s %-14s %-5s %-7s %9s %9s %9s\n", "", "", "", "", "rise", "drift", "drift");
 }
 
-void print(const StabilityRow& row) {
+void print_verdict(const StabilityRow& row) {
   const Verdict& v = row.verdict;
   std::printf("%-17s %-14s %-5s %-7s %8.3f%% %8.3f%% %8.3f%% %8.1f  ", row.name.c_str(), row.area.c_str(),
               row.remeshing ? "moves" : "fixed", v.passed ? "pass" : "FAIL", 100 * row.physics.energy_rise,
@@ -68,7 +68,7 @@ std::vector<std::string> case_names() {
   return names;
 }
 
-int study_stability_command(Arguments& arguments) {
+int study_stability_command(StabilityArguments& arguments) {
   if (arguments.list) return list_cases();
   StabilityOptions& options = arguments.options;
   options.remeshing = remeshing_from(arguments.remeshing);
@@ -79,7 +79,7 @@ int study_stability_command(Arguments& arguments) {
   const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
   base::CsvTable table(out / "stability.csv", stability_csv_header());
-  print_header();
+  print_stability_header();
   std::size_t failed = 0, all = 0;
   {
     Progress progress("stability", arguments.quiet);
@@ -88,7 +88,7 @@ int study_stability_command(Arguments& arguments) {
                          [&](const StabilityRow& row) {
                            progress.clear();
                            table.add(stability_csv_row(row));
-                           print(row);
+                           print_verdict(row);
                            ++all;
                            failed += row.verdict.passed ? 0 : 1;
                          },
@@ -104,7 +104,7 @@ int study_stability_command(Arguments& arguments) {
 void add_study_stability(base::Command& study, const Program& program) {
   base::Command& command = study.add_command(
       "stability", "named hard cases with each strategy, remeshing on and off: a verdict for each, failures included");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StabilityArguments>();
   StabilityOptions& options = arguments->options;
   command.add(
       {.name = "--list", .target = &arguments->list, .help = "name the cases and what has to hold, and run nothing"});

@@ -16,15 +16,15 @@
 namespace foamsim {
 namespace {
 
-struct Combination {
+struct AskedRun {
   long n;
   std::string area, integrator;
   double dt;
   std::string label() const { return area + " N = " + std::to_string(n) + " " + integrator; }
 };
 
-std::vector<Combination> combinations(const AccuracyOptions& o) {
-  std::vector<Combination> all;
+std::vector<AskedRun> combinations(const AccuracyOptions& o) {
+  std::vector<AskedRun> all;
   for (long n : o.sizes)
     for (const std::string& area : o.areas)
       for (const std::string& integrator : o.integrators)
@@ -34,13 +34,13 @@ std::vector<Combination> combinations(const AccuracyOptions& o) {
 
 // Roughly what a combination costs: each step's velocities take the square of the number of triangles, about 4N², and
 // the rest is linear in it.
-double weight_of(const Combination& c) {
+double weight_of(const AskedRun& c) {
   const double triangles = 4.0 * static_cast<double>(c.n * c.n);
   const double evaluations = c.integrator == "rk4" ? 4 : 1;
   return triangles * (1 + evaluations * triangles / 8000) / c.dt;
 }
 
-Scene scene_of(const Combination& c, const AccuracyOptions& o) {
+Scene scene_of(const AskedRun& c, const AccuracyOptions& o) {
   Scene scene = built_in_scene("doublebubble");
   const char* where = "accuracy study";
   scene.options.set("n", c.n, where);
@@ -74,7 +74,7 @@ void add_stages(const base::StageTimes& step, base::StageTimes& sum) {
 
 class AccuracyRun {
  public:
-  AccuracyRun(const Combination& c, const AccuracyOptions& options)
+  AccuracyRun(const AskedRun& c, const AccuracyOptions& options)
       : options_(options),
         scene_(scene_of(c, options)),
         simulation_(make_simulation(scene_)),
@@ -161,9 +161,9 @@ std::vector<AccuracyRow> study_accuracy(const AccuracyOptions& options, const Ac
   validate(options);
   const auto all = combinations(options);
   double weight = 0, done = 0;
-  for (const Combination& c : all) weight += weight_of(c);
+  for (const AskedRun& c : all) weight += weight_of(c);
   std::vector<AccuracyRow> rows;
-  for (const Combination& c : all) {
+  for (const AskedRun& c : all) {
     AccuracyRun run(c, options);
     std::function<void(double)> progress;
     if (hooks.progress)

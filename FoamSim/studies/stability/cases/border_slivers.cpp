@@ -9,7 +9,7 @@ namespace {
 
 constexpr double sliver_height = 0.02;  // over h̄
 
-std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start_of_slivers(const CaseSetup& setup) {
   lostopos::SurfaceMesh mesh = double_bubble(16);
   const double resolution = lostopos::mean_edge_length(mesh);
   press_slivers(mesh, sliver_height * resolution);
@@ -23,7 +23,7 @@ StabilityCase border_slivers() {
           .summary = "double bubble (N = 16) with slivers 0.02 h high at every second border edge, 1,000 steps",
           .criterion = "energy, volumes and impulse within the limits of physics",
           .typical_triangles = 1000,
-          .runs = [](const CaseSetup& setup) { return one_run(setup, start, 1000); },
+          .runs = [](const CaseSetup& setup) { return one_run(setup, start_of_slivers, 1000); },
           .judge = within_physics};
 }
 

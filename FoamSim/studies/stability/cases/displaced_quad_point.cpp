@@ -8,7 +8,7 @@ namespace {
 constexpr long edges_along_border = 6;
 constexpr double displacement = 0.7;  // of an edge
 
-std::unique_ptr<MeasuredMotion> start(const CaseSetup& setup) {
+std::unique_ptr<MeasuredMotion> start_of_quad_point(const CaseSetup& setup) {
   TetrahedralCluster cluster = tetrahedral_cluster(edges_along_border);
   cluster.mesh.set_position(cluster.middle,
                             displacement / static_cast<double>(edges_along_border) * cluster.corners[0]);
@@ -23,7 +23,7 @@ StabilityCase displaced_quad_point() {
               "four bubbles whose Plateau vertex is displaced by 70% of its edge along a border, 1,000 steps of 0.005",
           .criterion = "energy, volumes and impulse within the limits of physics",
           .typical_triangles = 700,
-          .runs = [](const CaseSetup& setup) { return one_run(setup, start, 1000); },
+          .runs = [](const CaseSetup& setup) { return one_run(setup, start_of_quad_point, 1000); },
           .judge = within_physics};
 }
 

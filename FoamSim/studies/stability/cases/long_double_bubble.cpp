@@ -5,11 +5,11 @@
 namespace foamsim::stability {
 namespace {
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
+std::vector<CaseRun> runs_of_long_run(const CaseSetup& setup) {
   return {{"", [setup] { return simulated(setup, double_bubble(16)); }, scaled_steps(10000, setup)}};
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_long_run(std::span<const Trajectory> t) {
   return Judgement()
       .require_physics(t[0])
       .set_figure("RMS angle deviation (deg)", t[0].samples.empty() ? std::nullopt : t[0].samples.back().angle_rms_deg)
@@ -23,8 +23,8 @@ StabilityCase long_double_bubble() {
           .summary = "the N = 16 double bubble for 10,000 steps of 0.01",
           .criterion = "energy, volumes and impulse within the limits of physics",
           .typical_triangles = 1000,
-          .runs = runs,
-          .judge = judge};
+          .runs = runs_of_long_run,
+          .judge = judge_long_run};
 }
 
 }  // namespace foamsim::stability

@@ -40,13 +40,13 @@ void move_towards_each_other(const SurfaceMesh& mesh, CirculationField& circulat
   }
 }
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
+std::vector<CaseRun> runs_of_meeting(const CaseSetup& setup) {
   auto start = [setup] { return simulated(setup, two_spheres(), {.circulation = move_towards_each_other}); };
   // All the steps in any case: before they meet there is nothing to judge.
   return {{"", start, 400}};
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_meeting(std::span<const Trajectory> t) {
   const long joined = t[0].samples.empty() ? 0 : t[0].samples.back().topology_totals.snaps;
   return Judgement()
       .require_physics(t[0])
@@ -63,8 +63,8 @@ StabilityCase meeting_off_axis() {
           .criterion = "they join by snapping; energy, volumes and impulse within the limits of physics",
           .remeshing = Remeshing::on_only,
           .typical_triangles = 700,
-          .runs = runs,
-          .judge = judge};
+          .runs = runs_of_meeting,
+          .judge = judge_meeting};
 }
 
 }  // namespace foamsim::stability

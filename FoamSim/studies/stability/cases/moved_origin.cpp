@@ -10,11 +10,11 @@ using lostopos::Vec3;
 
 namespace {
 
-constexpr double tolerance = 1e-6;
+constexpr double moved_tolerance = 1e-6;
 // 1,000 radii, in a direction that is none of the mesh's.
 const Vec3 offset = 1000 * Vec3(2, -6, 3) / 7;
 
-CaseRun run(const CaseSetup& setup, std::string label, const Vec3& by) {
+CaseRun moved_run(const CaseSetup& setup, std::string label, const Vec3& by) {
   auto start = [setup, by] {
     lostopos::SurfaceMesh mesh = double_bubble(16);
     const double resolution = lostopos::mean_edge_length(mesh);
@@ -26,16 +26,16 @@ CaseRun run(const CaseSetup& setup, std::string label, const Vec3& by) {
   return {std::move(label), start, scaled_steps(200, setup)};
 }
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
-  return {run(setup, "at the origin", Vec3::Zero()), run(setup, "moved", offset)};
+std::vector<CaseRun> runs_of_moved(const CaseSetup& setup) {
+  return {moved_run(setup, "at the origin", Vec3::Zero()), moved_run(setup, "moved", offset)};
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_moved(std::span<const Trajectory> t) {
   const double difference = largest_difference(t[0], t[1], 1, offset);
   return Judgement()
       .require_sound(t[0])
       .require_sound(t[1])
-      .require(difference <= tolerance, "the moved motion is not the same to 1e-6")
+      .require(difference <= moved_tolerance, "the moved motion is not the same to 1e-6")
       .set_figure("largest relative difference", difference)
       .verdict();
 }
@@ -47,8 +47,8 @@ StabilityCase moved_origin() {
           .summary = "double bubble (N = 16, noise of 1e-3 h) moved by 1,000 radii, 200 steps",
           .criterion = "the same motion to 1e-6: measures of every step and all vertices at the end",
           .typical_triangles = 1000,
-          .runs = runs,
-          .judge = judge};
+          .runs = runs_of_moved,
+          .judge = judge_moved};
 }
 
 }  // namespace foamsim::stability

@@ -17,11 +17,11 @@ lostopos::SurfaceMesh foam(long cells, long subdivisions) {
 }
 
 template <long cells, long subdivisions, long steps>
-std::vector<CaseRun> runs(const CaseSetup& setup) {
+std::vector<CaseRun> runs_of_foam(const CaseSetup& setup) {
   return {{"", [setup] { return simulated(setup, foam(cells, subdivisions)); }, scaled_steps(steps, setup)}};
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_foam(std::span<const Trajectory> t) {
   return Judgement()
       .require_physics(t[0])
       .set_figure("T1s",
@@ -36,27 +36,27 @@ StabilityCase foam_case(std::string_view name, std::string_view summary, long tr
           .strategies = Strategies::averaging,
           .remeshing = Remeshing::on_only,
           .typical_triangles = triangles,
-          .judge = judge};
+          .judge = judge_foam};
 }
 
 }  // namespace
 
 StabilityCase random_foam() {
   StabilityCase foam = foam_case("foam", "a random foam of 30 bubbles of radius 1 for 2,000 steps", 4000);
-  foam.runs = runs<30, 1, 2000>;
+  foam.runs = runs_of_foam<30, 1, 2000>;
   return foam;
 }
 
 StabilityCase fine_foam() {
   StabilityCase foam = foam_case("fine-foam", "the same with triangles of half the size", 14000);
-  foam.runs = runs<30, 2, 2000>;
+  foam.runs = runs_of_foam<30, 2, 2000>;
   foam.when_named = true;
   return foam;
 }
 
 StabilityCase large_foam() {
   StabilityCase foam = foam_case("large-foam", "a random foam of 100 bubbles of radius 1 for 500 steps", 45000);
-  foam.runs = runs<100, 2, 500>;
+  foam.runs = runs_of_foam<100, 2, 500>;
   foam.when_named = true;
   return foam;
 }

@@ -10,7 +10,7 @@ using lostopos::Vec3;
 
 namespace {
 
-constexpr double small_volume = 0.1, large_volume = 4, dt = 0.02;
+constexpr double small_volume = 0.1, other_volume = 4, flow_dt = 0.02;
 constexpr long edges_around_border = 18;
 // The flow −x w towards the middle of the small bubble's rim; w = exp(−(|x|/reach)⁴) leaves the far side where it is.
 constexpr double reach = 1.0;
@@ -18,19 +18,19 @@ constexpr long steps = 300;  // lengths shrink by e⁻⁶
 
 Vec3 flow(const Vec3& x) {
   const double weight = std::exp(-std::pow(x.norm() / reach, 4));
-  return x * (1 - dt * weight);
+  return x * (1 - flow_dt * weight);
 }
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
+std::vector<CaseRun> runs_of_shrinking(const CaseSetup& setup) {
   // All the steps in any case: a bubble shrunk half way has not vanished.
   auto start = [setup] {
-    const auto exact = double_bubble_equilibrium(small_volume, large_volume);
-    return prescribed(setup, exact_double_bubble(exact, edges_around_border), dt, flow);
+    const auto exact = double_bubble_equilibrium(small_volume, other_volume);
+    return prescribed(setup, exact_double_bubble(exact, edges_around_border), flow_dt, flow);
   };
   return {{"", start, steps}};
 }
 
-double volume_of(const Metrics& m, lostopos::Region region) {
+double last_volume(const Metrics& m, lostopos::Region region) {
   for (const auto& entry : m.volumes)
     if (entry.region == region) return entry.volume;
   return 0;
@@ -40,19 +40,21 @@ double volume_of(const Metrics& m, lostopos::Region region) {
 // a step.
 double jump_of_the_other(const std::vector<Metrics>& samples) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    if (volume_of(samples[i], lostopos::Region(1)) > 0 || volume_of(samples[i - 1], lostopos::Region(1)) == 0) continue;
-    return std::abs(volume_of(samples[i], lostopos::Region(2)) / volume_of(samples[i - 1], lostopos::Region(2)) - 1);
+    if (last_volume(samples[i], lostopos::Region(1)) > 0 || last_volume(samples[i - 1], lostopos::Region(1)) == 0)
+      continue;
+    return std::abs(last_volume(samples[i], lostopos::Region(2)) / last_volume(samples[i - 1], lostopos::Region(2)) -
+                    1);
   }
   return 0;
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_shrinking(std::span<const Trajectory> t) {
   Judgement judgement;
   judgement.require_sound(t[0]);
   if (t[0].samples.empty()) return judgement.verdict();
-  const double left = volume_of(t[0].samples.back(), lostopos::Region(1)) / small_volume;
+  const double left = last_volume(t[0].samples.back(), lostopos::Region(1)) / small_volume;
   return judgement.require(left == 0, "the bubble is still there")
-      .require(volume_of(t[0].samples.back(), lostopos::Region(2)) > 0, "the other bubble is gone, too")
+      .require(last_volume(t[0].samples.back(), lostopos::Region(2)) > 0, "the other bubble is gone, too")
       .require(jump_of_the_other(t[0].samples) < 0.01, "the other bubble's volume jumps by 1% when the small one goes")
       .set_figure("volume left", left)
       .verdict();
@@ -68,8 +70,8 @@ StabilityCase shrinking_bubble() {
           .strategies = Strategies::none,
           .remeshing = Remeshing::on_only,
           .typical_triangles = 500,
-          .runs = runs,
-          .judge = judge};
+          .runs = runs_of_shrinking,
+          .judge = judge_shrinking};
 }
 
 }  // namespace foamsim::stability

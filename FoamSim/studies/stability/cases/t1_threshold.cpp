@@ -10,12 +10,12 @@ constexpr long edges_along_line = 6;
 // Each of its vertices separates once; as many again for what remeshing adds.
 constexpr long most_separations = 2 * (edges_along_line + 1);
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
+std::vector<CaseRun> runs_of_t1(const CaseSetup& setup) {
   auto start = [setup] { return simulated(setup, block_of_cubes({2, 2, 1}, edges_along_line), {.dt = 0.005}); };
   return {{"", start, scaled_steps(1000, setup)}};
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_t1(std::span<const Trajectory> t) {
   const auto& samples = t[0].samples;
   const long all = samples.empty() ? 0 : samples.back().topology_totals.separations;
   const long late = samples.empty() ? 0 : all - samples[samples.size() / 2].topology_totals.separations;
@@ -36,8 +36,8 @@ StabilityCase t1_threshold() {
           .criterion = "1 to 14 T1s, none in the second half; energy, volumes and impulse within the limits of physics",
           .remeshing = Remeshing::on_only,
           .typical_triangles = 1700,
-          .runs = runs,
-          .judge = judge};
+          .runs = runs_of_t1,
+          .judge = judge_t1};
 }
 
 }  // namespace foamsim::stability

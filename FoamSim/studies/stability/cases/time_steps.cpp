@@ -12,7 +12,7 @@ namespace {
 constexpr std::array steps_of_time{0.0025, 0.005, 0.01, 0.02, 0.04, 0.08};
 constexpr double usual = 0.01, duration = 4;
 
-std::vector<CaseRun> runs(const CaseSetup& setup) {
+std::vector<CaseRun> runs_of_time_steps(const CaseSetup& setup) {
   std::vector<CaseRun> all;
   all.reserve(steps_of_time.size());
   for (double dt : steps_of_time)
@@ -21,7 +21,7 @@ std::vector<CaseRun> runs(const CaseSetup& setup) {
   return all;
 }
 
-Verdict judge(std::span<const Trajectory> t) {
+Verdict judge_time_steps(std::span<const Trajectory> t) {
   std::optional<double> largest;
   Judgement judgement;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -43,8 +43,8 @@ StabilityCase time_steps() {
           .summary = "double bubble (N = 16) for 4 units of time with dt from 0.0025 to 0.08",
           .criterion = "energy stays within 1% above the start's and volumes within 2%, up to dt = 0.01 at least",
           .typical_triangles = 1000,
-          .runs = runs,
-          .judge = judge};
+          .runs = runs_of_time_steps,
+          .judge = judge_time_steps};
 }
 
 }  // namespace foamsim::stability

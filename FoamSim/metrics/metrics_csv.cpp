@@ -85,13 +85,13 @@ std::vector<Column> energy_columns() {
       {"move_energy", [](const Metrics& m) { return cell_text(m.move_energy); }},
       {"topology_energy", [](const Metrics& m) { return cell_text(m.topology_energy); }},
       {"remesh_energy", [](const Metrics& m) { return cell_text(m.remesh_energy); }},
+      {"topology_air_energy", [](const Metrics& m) { return cell_text(m.topology_air_energy); }},
+      {"remesh_air_energy", [](const Metrics& m) { return cell_text(m.remesh_air_energy); }},
       {"midpoint_rounds", [](const Metrics& m) { return cell_text(m.midpoint_rounds); }},
       {"effect_work", [](const Metrics& m) { return cell_text(m.effect_work); }},
       {"wire_work", [](const Metrics& m) { return cell_text(m.wire_work); }},
       {"wire_iterations", [](const Metrics& m) { return cell_text(m.wire_iterations); }},
       {"implicit_iterations", [](const Metrics& m) { return cell_text(m.implicit_iterations); }},
-      {"topology_air_energy", [](const Metrics& m) { return cell_text(m.topology_air_energy); }},
-      {"remesh_air_energy", [](const Metrics& m) { return cell_text(m.remesh_air_energy); }},
   };
 }
 

@@ -143,6 +143,7 @@ bool seen_elsewhere(const std::string& key) {
   return key.starts_with("tracker.") ||   // where films collide: TrackerOptionsOfScenes
          key.starts_with("topology.") ||  // where films meet: TopologyOptionsOfScenes
          key == "load_dir" ||             // FoamStart, LoadScene
+         key == "air_by_stage" ||         // AirByStage
          key == "checkpoint_every" ||     // in an interrupted run only: InterruptedRun.CanBeResumed
          key == "pressure";               // there is one
 }

@@ -1,6 +1,8 @@
 // Runs in which films meet, part and vanish: the options that say how, events.csv, and resumed runs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -53,6 +55,23 @@ const std::string growing = "growth --set layout=random --set spheres=4 --set gr
 void run(const std::string& scene, const std::string& folder) {
   const ProgramResult result = run_foamsim("run " + scene + " --quiet --out " + folder);
   ASSERT_EQ(result.exit_code, 0) << result.error;
+}
+
+TEST(AirByStage, FillsItsColumnsWhenItIsAskedFor) {
+  const ScratchFolder scratch;
+  run("doublebubble --set n=12 --steps 12", scratch / "silent");
+  run("doublebubble --set n=12 --steps 12 --set air_by_stage=true", scratch / "asked");
+  const std::vector<Row> silent = rows_of(scratch / "silent/metrics.csv");
+  const std::vector<Row> asked = rows_of(scratch / "asked/metrics.csv");
+  ASSERT_EQ(asked.size(), 13U);
+  for (const char* column : {"topology_air_energy", "remesh_air_energy"}) {
+    EXPECT_EQ(silent.back().at(column), "") << column;
+    EXPECT_TRUE(std::isfinite(std::stod(asked.back().at(column)))) << column;
+  }
+  EXPECT_TRUE(std::ranges::any_of(asked, [](const Row& row) {
+    const std::string& cell = row.at("remesh_air_energy");
+    return !cell.empty() && std::stod(cell) != 0;
+  }));
 }
 
 TEST(EventsTable, HasARowForEveryChangeThatTheMetricsCount) {

@@ -2,19 +2,22 @@
 //
 //   benchmark_tree_sum [--benchmark_filter=…]
 //
-// terms: 1 all that the conservative dynamics want of a step (Ψ, u, B), 0 Ψ alone. digits: of the tolerance, 0 the
-// direct sum. error: the largest of 200 points' over the largest value, of what has the largest; bytes: what the sum
-// has taken from the system besides the points.
+// pairs: at the sources; terms: 1 all that the conservative dynamics want of a step (Ψ, u, B), 0 Ψ alone. velocities:
+// what the vortex sheet's want, at half as many targets. digits: of the tolerance, 0 the direct sum, in the precision
+// that the program chooses. error: the largest of 200 points' over the largest value, of what has the largest; bytes:
+// what the sum has taken from the system besides the points.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <vector>
 
+#include "FoamSim/sheet/velocity/direct.h"
 #include "FoamSim/sheet/velocity/tree/tree.h"
 
 namespace foamsim {
@@ -75,7 +78,11 @@ double resident_bytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
-void sum(benchmark::State& state) {
+TreeOptions of_digits(std::int64_t digits) {
+  return {.tolerance = std::pow(10, -static_cast<double>(digits))};
+}
+
+void pairs(benchmark::State& state) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(state.range(3)));
   const auto n = static_cast<std::size_t>(state.range(0));
@@ -84,10 +91,9 @@ void sum(benchmark::State& state) {
   const double delta = delta_of(n), before = resident_bytes();
   std::unique_ptr<PairSummation> summation;
   if (state.range(2) == 0)
-    summation = std::make_unique<DirectPairSums>();
+    summation = std::make_unique<DirectPairSums>(Precision::automatic);
   else
-    summation = std::make_unique<TreePairSums>(
-        TreeOptions{.tolerance = std::pow(10, -static_cast<double>(state.range(2)))}, Precision::automatic);
+    summation = std::make_unique<TreePairSums>(of_digits(state.range(2)), Precision::automatic);
   PairSums sums;
   for ([[maybe_unused]] auto _ : state) {
     summation->evaluate(sources, delta, terms, sums);
@@ -98,9 +104,29 @@ void sum(benchmark::State& state) {
   state.counters["bytes"] = resident_bytes() - before;
 }
 
-BENCHMARK(sum)
+void velocities(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const VortexSources sources = sheet(n);
+  std::vector<Vec3> targets, out(n / 2);
+  for (std::size_t i = 0; i < n / 2; ++i) targets.emplace_back(sources.x[2 * i], sources.y[2 * i], sources.z[2 * i]);
+  std::unique_ptr<BiotSavart> law;
+  if (state.range(1) == 0)
+    law = std::make_unique<DirectBiotSavart>();
+  else
+    law = std::make_unique<TreeBiotSavart>(of_digits(state.range(1)));
+  for ([[maybe_unused]] auto _ : state) law->velocities(sources, targets, delta_of(n), out);
+}
+
+BENCHMARK(velocities)
+    ->ArgNames({"sources", "digits"})
+    ->ArgsProduct({{2'000, 4'000, 8'000, 16'000}, {0, 4, 6}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(pairs)
     ->ArgNames({"sources", "terms", "digits", "threads"})
-    ->ArgsProduct({{4'000, 8'000, 16'000, 32'000}, {0, 1}, {0, 4}, {1}})
+    ->ArgsProduct({{4'000, 8'000, 16'000, 32'000}, {0, 1}, {0, 4, 6}, {1}})
     ->ArgsProduct({{100'000}, {0, 1}, {0, 4, 6}, {1}})
     ->ArgsProduct({{1'000'000}, {1}, {4, 5}, {1, 2}})
     ->MeasureProcessCPUTime()

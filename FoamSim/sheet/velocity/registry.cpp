@@ -8,10 +8,6 @@ namespace foamsim {
 
 namespace {
 
-// Not calibrated: at a tolerance of 1e-4 and 9,700 triangles the tree is the faster one for the vortex sheet, at 11,000
-// it is still a tenth slower for the conservative dynamics, whose direct sums visit each pair once.
-constexpr std::size_t few_triangles = 6000;
-
 std::vector<base::OptionSpec> tree_options() {
   constexpr long most_order = most_nodes - 1;
   const auto is_tolerance = [](const base::OptionValue& value) {
@@ -28,10 +24,10 @@ std::vector<base::OptionSpec> tree_options() {
            "a whole number from 0 to " + std::to_string(most_order), is_order}};
 }
 
-std::unique_ptr<BiotSavart> make_tree(const VelocitySetup& setup, std::size_t direct_up_to) {
+std::unique_ptr<BiotSavart> make_tree(const VelocitySetup& setup, bool direct_where_few) {
   return std::make_unique<TreeBiotSavart>(TreeOptions{.tolerance = setup.options.number("tolerance"),
                                                       .order = static_cast<std::size_t>(setup.options.whole("order")),
-                                                      .direct_up_to = direct_up_to});
+                                                      .direct_where_few = direct_where_few});
 }
 
 }  // namespace
@@ -44,11 +40,13 @@ const base::Registry<VelocityEntry>& velocity_sums() {
         {},
         [](const VelocitySetup&) -> std::unique_ptr<BiotSavart> { return std::make_unique<DirectBiotSavart>(); }},
        {"tree", "clusters of sources for clusters of targets, to a tolerance; cost grows with the triangles",
-        tree_options(), [](const VelocitySetup& setup) { return make_tree(setup, 0); }},
+        tree_options(), [](const VelocitySetup& setup) { return make_tree(setup, false); }},
        {"auto",
-        "direct up to " + std::to_string(few_triangles) + " triangles, from there on by tree",
+        "direct where that is faster: at a tolerance of 1e-4 up to " + std::to_string(few_for_velocities({})) +
+            " triangles, with conservative dynamics up to " + std::to_string(few_for_pairs({})) +
+            "; from there on by tree",
         {},
-        [](const VelocitySetup& setup) { return make_tree(setup, few_triangles); }}});
+        [](const VelocitySetup& setup) { return make_tree(setup, true); }}});
   return sums;
 }
 

@@ -18,11 +18,27 @@ TreeAccuracy accuracy_of(const TreeOptions& options, std::size_t n) {
   return accuracy;
 }
 
+// Trees and direct sums take as long where their points fill this many leaves; a point in double precision counts for
+// two.
+std::size_t size_of_leaves(const TreeOptions& options, std::size_t leaves) {
+  const TreeAccuracy accuracy = accuracy_of(options, 1);
+  const std::size_t leaf = accuracy.nodes * accuracy.nodes * accuracy.nodes;
+  return leaves * leaf * (accuracy.single_near ? 1 : 2);
+}
+
 }  // namespace
+
+std::size_t few_for_velocities(const TreeOptions& options) {
+  return size_of_leaves(options, 12);
+}
+
+std::size_t few_for_pairs(const TreeOptions& options) {
+  return size_of_leaves(options, 60);
+}
 
 void TreeBiotSavart::velocities(const VortexSources& sources, std::span<const Vec3> targets, double delta,
                                 std::span<Vec3> out) const {
-  if (sources.size() <= options_.direct_up_to) {
+  if (options_.direct_where_few && sources.size() <= few_for_velocities(options_)) {
     DirectBiotSavart().velocities(sources, targets, delta, out);
     return;
   }
@@ -37,7 +53,7 @@ std::unique_ptr<PairSummation> TreeBiotSavart::pair_sums(Precision precision) co
 }
 
 void TreePairSums::evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums) {
-  if (sources.size() <= options_.direct_up_to) {
+  if (options_.direct_where_few && sources.size() <= few_for_pairs(options_)) {
     direct_.evaluate(sources, delta, terms, sums);
     return;
   }

@@ -7,11 +7,16 @@ namespace foamsim {
 
 /// How good tree sums are.
 struct TreeOptions {
-  double tolerance = 1e-4;  ///< largest error over largest value, 1e-8 to 1e-2
-  std::size_t order = 0;    ///< degree of the interpolants, 1 to 15; 0: what the tolerance asks for
-  /// Triangles up to which sums are direct; 0: always by tree.
-  std::size_t direct_up_to = 0;
+  double tolerance = 1e-4;        ///< largest error over largest value, 1e-8 to 1e-2
+  std::size_t order = 0;          ///< degree of the interpolants, 1 to 15; 0: what the tolerance asks for
+  bool direct_where_few = false;  ///< sums over as few triangles as direct sums are the faster for are direct
 };
+
+/// Up to how many triangles that is, as benchmarks/tree_sum_benchmark.cpp finds it at tolerances of 1e-4 and 1e-6: for
+/// for velocities at half as many targets, and for the sums of sources on themselves, which direct ones visit by pairs
+/// and in single precision.
+std::size_t few_for_velocities(const TreeOptions& options);
+std::size_t few_for_pairs(const TreeOptions& options);
 
 /// Sums by clusters (tree_sum.h): O(n).
 class TreeBiotSavart final : public BiotSavart {

@@ -83,8 +83,12 @@ struct Side {
   Places<Far> far;
   GridPoints<Far> grid;
 
-  Side(std::span<const Vec3> points, std::size_t leaf_size, const Chebyshev& nodes, double length)
-      : tree(points, leaf_size), near(tree, points, length), far(tree, points, length), grid(tree, nodes, length) {}
+  // Leaves have as many points as a grid: others, smaller and larger ones, win nothing.
+  Side(std::span<const Vec3> points, const Chebyshev& nodes, double length)
+      : tree(points, grid_size(nodes)),
+        near(tree, points, length),
+        far(tree, points, length),
+        grid(tree, nodes, length) {}
 };
 
 template <class Near, class Far>
@@ -94,8 +98,8 @@ class PlanOf final : public TreePlan {
       : TreePlan(sources, targets, delta, accuracy),
         nodes_(accuracy.nodes),
         length_(unit_of_length(points_, delta)),
-        from_(points_, leaf_size(), nodes_, length_) {
-    if (targets_) own_.emplace(*targets_, leaf_size(), nodes_, length_);
+        from_(points_, nodes_, length_) {
+    if (targets_) own_.emplace(*targets_, nodes_, length_);
     pairs_.emplace(to().tree, from_.tree, accuracy.openness);
   }
 
@@ -114,13 +118,15 @@ class PlanOf final : public TreePlan {
 
  private:
   const Side<Near, Far>& to() const { return own_ ? *own_ : from_; }
-  std::size_t leaf_size() const { return accuracy_.leaf_size > 0 ? accuracy_.leaf_size : grid_size(nodes_); }
   std::size_t stride() const { return to().far.x.size(); }
-  // A grid is met by potentials alone, single points by all terms, which is twice the work.
-  bool by_grid(const Cluster& c) const { return 2 * c.size() > grid_size(nodes_); }
+  // A grid is met by potentials alone, single points by all terms, which is twice the work. Sources go by the same
+  // rule, so that the operator is symmetric.
+  bool by_grid(const Cluster& c, TreeTerms terms) const {
+    return (terms == TreeTerms::potential ? 1 : 2) * c.size() > grid_size(nodes_);
+  }
 
-  TreeBodies<Far> source(std::uint32_t s) const {
-    if (!by_grid(from_.tree[s])) return from_.far.of(from_.tree[s]);
+  TreeBodies<Far> source(std::uint32_t s, TreeTerms terms) const {
+    if (!by_grid(from_.tree[s], terms)) return from_.far.of(from_.tree[s]);
     return from_.grid.bodies(s, charges_.data());
   }
 
@@ -137,11 +143,12 @@ class PlanOf final : public TreePlan {
       const Cluster& cluster = to().tree[t];
       double* arrived = out_.data() + cluster.begin;
       for (std::uint32_t s : pairs_->far[t])
-        if (by_grid(cluster))
-          add_to_targets(to().grid.bodies(t, nullptr), source(s), offset(cluster, s), delta_squared,
+        if (by_grid(cluster, terms))
+          add_to_targets(to().grid.bodies(t, nullptr), source(s, terms), offset(cluster, s), delta_squared,
                          TreeTerms::potential, potentials_.data() + 3 * size * t, size);
         else
-          add_to_targets(to().far.of(cluster), source(s), offset(cluster, s), delta_squared, terms, arrived, stride());
+          add_to_targets(to().far.of(cluster), source(s, terms), offset(cluster, s), delta_squared, terms, arrived,
+                         stride());
       for (std::uint32_t s : pairs_->near[t])
         add_to_targets(to().near.of(cluster), from_.near.of(from_.tree[s]), offset(cluster, s), delta_squared, terms,
                        arrived, stride());

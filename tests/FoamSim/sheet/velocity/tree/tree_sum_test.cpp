@@ -244,13 +244,27 @@ TEST(AutomaticSum, IsDirectForFewAndByTreeForMany) {
   for (const Sheet* problem : {&few, &many}) {
     const std::vector<Vec3> targets(10, Vec3(0.1, 0.2, 0.3));
     std::vector<Vec3> automatic(10), direct(10), tree(10);
-    const TreeOptions options{.direct_up_to = 6000};
+    const TreeOptions options{.direct_where_few = true};
     TreeBiotSavart(options).velocities(problem->sources, targets, problem->delta, automatic);
     TreeBiotSavart({}).velocities(problem->sources, targets, problem->delta, tree);
     DirectBiotSavart().velocities(problem->sources, targets, problem->delta, direct);
     EXPECT_EQ(automatic, problem == &few ? direct : tree);
     EXPECT_NE(direct, tree);
   }
+  const auto potential = [](PairSummation&& sums, const Sheet& problem) {
+    PairSums result;
+    sums.evaluate(problem.sources, problem.delta, PairTerms::potential, result);
+    return result.potential;
+  };
+  EXPECT_LT(few_for_velocities({}), many.sources.size());
+  // Sums over pairs are direct for longer.
+  EXPECT_GT(few_for_pairs({}), many.sources.size());
+  EXPECT_EQ(potential(TreePairSums({.direct_where_few = true}, Precision::doubles), many),
+            potential(DirectPairSums(), many));
+  const Sheet large = sheet_of(double_bubble(72));
+  EXPECT_LT(few_for_pairs({}), large.sources.size());
+  EXPECT_EQ(potential(TreePairSums({.direct_where_few = true}, Precision::doubles), large),
+            potential(TreePairSums({}, Precision::doubles), large));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class HeldFlux {
 
   double delta_;
   NearField near_;
-  DirectPairSums direct_;
+  DirectPairSums direct_{Precision::automatic};
   const FilmConnectivity* films_ = nullptr;
   const FilmShape* shape_ = nullptr;
   std::span<const lostopos::Vec3> positions_;

@@ -34,8 +34,8 @@ std::vector<ReferenceKey> film_keys() {
        "the same, once a step; 1: not an effect; of rods: drag"},
       {"sigma", "1", as_it_is, "sigma", ""},
       {"gravity", "0", converted, "gravity", "of rods alone, which is so there too"},
-      {"fmmtl", "1", without, "",
-       "its fast multipole sum approximates what velocity=direct sums exactly, so there is nothing to choose"},
+      {"fmmtl", "1", converted, "velocity",
+       "1: auto, whose sums over many triangles are by tree, as theirs are by fast multipoles; 0: direct"},
       {"looped", "1", converted, "looped", "of rods, in the reference's units (reference_units)"},
       {"radius", "5e-5", converted, "rod_radius", "of rods"},
       {"density", "1320", converted, "rod_density", "of rods"},
@@ -70,9 +70,7 @@ class Reading {
     set_rod();
     set_outputs();
     for (std::string& note : lostopos::set_tracker_options(values_, options_)) scene_.notes.push_back(std::move(note));
-
-    if (values_.given("fmmtl"))
-      note("fmmtl", "has no meaning here: its sum approximates what velocity=direct sums exactly");
+    values_.set("fmmtl", "velocity", std::string(values_.flag("fmmtl") ? "auto" : "direct"), options_);
     set_start();
     values_.set_as_it_is("remeshing-resolution", "resolution", options_);
     options_.set_default("resolution_mean", std::string("triangle-sides"));

@@ -186,11 +186,17 @@ TEST(ReferenceOptions, ConservativeDynamicsLeaveOutTheirDiffusion) {
 }
 
 TEST(ReferenceOptions, WhatMeansNothingIsSaid) {
-  const Scene scene = read("scene cube\nfmmtl 0\ngravity 9.8\nradius 0.003\nfoam-burst-start 3\nload-dir x\n");
-  for (const char* text : {":2: 'fmmtl' has no meaning here", ":3: 'gravity' means nothing in the scene cube",
-                           ":4: 'radius' means nothing", ":5: 'foam-burst-start'", ":6: 'load-dir'"})
+  const Scene scene = read("scene cube\nsigma 1\ngravity 9.8\nradius 0.003\nfoam-burst-start 3\nload-dir x\n");
+  for (const char* text : {":3: 'gravity' means nothing in the scene cube", ":4: 'radius' means nothing",
+                           ":5: 'foam-burst-start'", ":6: 'load-dir'"})
     EXPECT_TRUE(has_note(scene, text)) << text;
-  EXPECT_EQ(scene.notes.size(), 5u);
+  EXPECT_EQ(scene.notes.size(), 4u);
+}
+
+TEST(ReferenceOptions, FastMultipolesAreTreesWhereThereAreManyTriangles) {
+  EXPECT_EQ(read("scene cube\n").options.word("velocity"), "auto");
+  EXPECT_EQ(read("scene cube\nfmmtl 1\n").options.word("velocity"), "auto");
+  EXPECT_EQ(read("scene cube\nfmmtl 0\n").options.word("velocity"), "direct");
 }
 
 TEST(ReferenceOptions, BadInputIsALineWithItsPlace) {

@@ -13,7 +13,11 @@ ThreadLimit thread_limit(int threads) {
 RunHooks hooks_for(Progress& progress) {
   return {[&progress](const Metrics& metrics, double fraction) { progress.show(metrics, fraction); },
           [] { return InterruptGuard::interrupted(); },
-          [](const std::string& note) { base::print_warning("foamsim", note); }};
+          [](const std::string& note) { base::print_warning("foamsim", note); },
+          [&progress](long done, long of) {
+            progress.show("relaxing the start: step " + std::to_string(done) + " of " + std::to_string(of),
+                          static_cast<double>(done) / static_cast<double>(of));
+          }};
 }
 
 }  // namespace foamsim::app

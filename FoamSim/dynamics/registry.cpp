@@ -4,6 +4,7 @@
 #include <array>
 
 #include "FoamSim/dynamics/conservative.h"
+#include "FoamSim/dynamics/relaxation.h"
 #include "FoamSim/dynamics/vortex_sheet.h"
 
 namespace foamsim {
@@ -96,7 +97,11 @@ const base::Registry<DynamicsEntry>& dynamics_schemes() {
               setup.integrators.find(setup.options.word("integrator")).make({setup.options}));
         }},
        {"conservative", "films as a mechanical system: energy, volumes and equilibria right by construction",
-        conservative_options(), make_conservative}});
+        conservative_options(), make_conservative},
+       {"relaxation",
+        "films without air go down the gradient of their energy to equilibrium; time has no meaning",
+        {},
+        [](const DynamicsSetup&) -> Made { return std::make_unique<Relaxation>(); }}});
   return entries;
 }
 

@@ -16,7 +16,7 @@ struct DynamicsSetup {
 };
 using DynamicsEntry = base::Model<Dynamics, DynamicsSetup>;
 
-/// The built-in dynamics: vortex-sheet, conservative.
+/// The built-in dynamics: vortex-sheet, conservative, relaxation.
 const base::Registry<DynamicsEntry>& dynamics_schemes();
 
 }  // namespace foamsim

@@ -1,11 +1,14 @@
 #include "FoamSim/run/run.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/machine/memory.h"
 #include "Base/options/options_json.h"
 #include "FoamSim/run/scene_motion.h"
 #include "FoamSim/run/start_checks.h"
+#include "FoamSim/scenes/scene_memory.h"
 #include "FoamSim/version.h"
 
 namespace foamsim {
@@ -89,11 +92,32 @@ RunOutcome outcome_of(const SceneMotion& motion, lostopos::run::Outcome&& done, 
 
 }  // namespace
 
+namespace {
+
+// What a user should know of a large scene before it is built.
+void look_at_size(const Scene& scene, const RunHooks& hooks) {
+  constexpr double worth_a_word = 2e8;
+  const std::optional<SizeEstimate> size = estimated_size(scene);
+  if (!size) return;
+  if (const auto available = base::available_memory()) require_memory(*size, *available);
+  if (size->bytes > worth_a_word && hooks.warn)
+    hooks.warn("about " + base::to_text(std::round(size->triangles)) + " triangles, which take " +
+               base::bytes_in_words(size->bytes) + " of memory");
+}
+
+}  // namespace
+
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks) {
   const bool resuming = !settings.resume.empty();
   const auto checkpoint = resuming ? checkpoint_file(settings.resume) : std::filesystem::path();
+  if (!resuming) look_at_size(scene, hooks);
+  // An interruption leaves the rest out, and ends the run at its start, with what there is.
+  const auto relaxing = [&hooks](long done, long of) {
+    if (hooks.relaxed) hooks.relaxed(done, of);
+    return !(hooks.interrupted && hooks.interrupted());
+  };
   SceneMotion motion(resuming ? SceneMotion::beginning_of(read_checkpoint(checkpoint, scene.catalogue))
-                              : SceneMotion::beginning_of(scene));
+                              : SceneMotion::beginning_of(scene, relaxing));
   if (!resuming)
     for (const std::string& note : check_start(scene, motion.simulation(), motion.start()))
       if (hooks.warn) hooks.warn(note);

@@ -50,6 +50,7 @@ struct RunHooks {
   std::function<void(const Metrics&, double fraction_done)> progress;  ///< after every step
   std::function<bool()> interrupted;                                   ///< asked before every step
   std::function<void(const std::string&)> warn = {};                   ///< what to know before the first step
+  std::function<void(long done, long of)> relaxed = {};                ///< after every step towards a relaxed start
 };
 
 /// The options' bound on --until-rest, in characteristic times √(R³/σ) of the mean bubble.

@@ -11,8 +11,8 @@ namespace foamsim {
 
 using lostopos::run::Table;
 
-SceneMotion::Beginning SceneMotion::beginning_of(const Scene& scene) {
-  Simulation simulation = make_simulation(scene);
+SceneMotion::Beginning SceneMotion::beginning_of(const Scene& scene, const RelaxationProgress& progress) {
+  Simulation simulation = make_simulation(scene, progress);
   StartOfRun start{lostopos::closed_region_volumes(simulation.mesh()), lostopos::surface_centroid(simulation.mesh())};
   return {scene, std::move(simulation), std::move(start)};
 }

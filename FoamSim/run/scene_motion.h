@@ -16,7 +16,7 @@ class SceneMotion final : public SimulationMotion {
     std::optional<StepReport> before = {};
     std::deque<RestDetector::Sample> quiet = {};
   };
-  static Beginning beginning_of(const Scene& scene);
+  static Beginning beginning_of(const Scene& scene, const RelaxationProgress& progress = {});
   static Beginning beginning_of(Checkpoint checkpoint);
 
   explicit SceneMotion(Beginning beginning);

@@ -1,3 +1,4 @@
+#include "Base/error.h"
 #include "FoamSim/scenes/foam_start.h"
 #include "FoamSim/scenes/scene_families.h"
 #include "FoamSim/scenes/scene_sizes.h"
@@ -26,18 +27,20 @@ SceneEntry foaminit_scene() {
 }
 
 SceneEntry growth_scene() {
-  return {"growth",
-          "spheres that grow until they have pressed each other into a foam; its last frame is a start mesh",
-          {base::whole_number("spheres", 8, 1, "number of spheres (320 triangles each)"),
-           base::word_from("layout", std::string("grid"), "where they are: grid (jittered) or random", "layout",
-                           {"grid", "random"})},
-          {{"time", 0.8}, {"effects", std::vector<std::string>{"growth"}}},
-          [](const OptionSet& options) {
-            return lostopos::sphere_meshes(
-                lostopos::sphere_layout({.spheres = options.whole("spheres"),
-                                         .layout = lostopos::sphere_layout_by_name(options.word("layout")),
-                                         .seed = static_cast<std::uint64_t>(options.whole("seed"))}));
-          }};
+  return {.name = "growth",
+          .summary = "spheres that grow until they have pressed each other into a foam; its last frame is a start mesh",
+          .options = {base::whole_number("spheres", 8, 1, "number of spheres (320 triangles each)"),
+                      base::word_from("layout", std::string("grid"), "where they are: grid (jittered) or random",
+                                      "layout", {"grid", "random"})},
+          .defaults = {{"time", 0.8}, {"effects", std::vector<std::string>{"growth"}}},
+          .build =
+              [](const OptionSet& options) {
+                return lostopos::sphere_meshes(
+                    lostopos::sphere_layout({.spheres = options.whole("spheres"),
+                                             .layout = lostopos::sphere_layout_by_name(options.word("layout")),
+                                             .seed = static_cast<std::uint64_t>(options.whole("seed"))}));
+              },
+          .triangles = [](const OptionSet& options) { return 320.0 * static_cast<double>(options.whole("spheres")); }};
 }
 
 constexpr const char* foam_file = "mesh001000.rec";
@@ -46,18 +49,48 @@ base::OptionSpec load_dir(const std::string& file, const std::string& otherwise)
   return {"load_dir", std::string(), "folder of a run of the reference program, for its " + file + otherwise, "", {}};
 }
 
-std::vector<base::OptionSpec> start_of_foam() {
-  return {load_dir(foam_file, "; empty: a foam is grown from spheres"),
+std::vector<base::OptionSpec> start_of_foam(const std::string& otherwise) {
+  return {load_dir(foam_file, "; empty: a foam is " + otherwise),
           whole_between(2, 1000, 8, "spheres", "number of spheres, where a foam is grown")};
 }
 
-SurfaceMesh foam(const OptionSet& options) {
+std::uint64_t seed_of(const OptionSet& options) {
+  return static_cast<std::uint64_t>(options.whole("seed"));
+}
+
+SurfaceMesh loaded_or_grown_foam(const OptionSet& options) {
   if (!options.word("load_dir").empty()) return mesh_of_run(options.word("load_dir"), foam_file);
-  return grown_foam(options.whole("spheres"), static_cast<std::uint64_t>(options.whole("seed")));
+  return grown_foam(options.whole("spheres"), seed_of(options));
+}
+
+std::vector<base::OptionSpec> options_of_foam() {
+  std::vector<base::OptionSpec> options = start_of_foam("made of bubbles, or grown from spheres");
+  options.push_back(whole_between(0, 1'000'000, 0, "bubbles",
+                                  "bubbles of a foam of random Voronoi cells in a box; 0: it is grown from spheres"));
+  options.push_back(base::whole_number("relaxations", 3, 0, "rounds that make these bubbles more alike"));
+  return options;
+}
+
+SurfaceMesh foam(const OptionSet& options) {
+  const long bubbles = options.whole("bubbles");
+  for (const char* other : {"load_dir", "spheres"})
+    if (bubbles > 0 && options.is_set(other))
+      throw base::InputError("options 'bubbles' and '" + std::string(other) + "' are two starts of one foam; give one");
+  if (bubbles == 0 && options.is_set("relaxations"))
+    throw base::InputError("option 'relaxations' is for a foam of Voronoi cells; give a number of bubbles too");
+  if (bubbles == 0) return loaded_or_grown_foam(options);
+  return voronoi_bubbles(bubbles, static_cast<int>(options.whole("relaxations")), seed_of(options));
+}
+
+// At edges of a length h: films have 1.72 of area a bubble, and triangles 0.43 h² (lists in docs/scale.md).
+double triangles_of_foam(const OptionSet& options) {
+  const double h = options.number("resolution") > 0 ? options.number("resolution") : 0.15;
+  return 1.72 / (0.43 * h * h) * static_cast<double>(options.whole("bubbles"));
 }
 
 std::vector<std::string> note_on_foam(const OptionSet& options) {
   if (!options.word("load_dir").empty()) return {};
+  if (options.has("bubbles") && options.whole("bubbles") > 0) return {};
   return {"load_dir is not set: the foam has been made of " + std::to_string(options.whole("spheres")) +
           " spheres that grew until they met (spheres, seed)"};
 }
@@ -65,19 +98,21 @@ std::vector<std::string> note_on_foam(const OptionSet& options) {
 SceneEntry foam_scene() {
   return {.name = "foam",
           .summary = "a foam whose bubbles burst, one after the other",
-          .options = start_of_foam(),
+          .options = options_of_foam(),
           .defaults = {{"time", 6.0},
+                       {"velocity", std::string("auto")},
                        {"effects", std::vector<std::string>{"surface_tension", "diffusion", "burst"}},
                        {"diffusion", 20.0},
                        {"resolution", 0.15}},
           .build = foam,
-          .notes = note_on_foam};
+          .notes = note_on_foam,
+          .triangles = triangles_of_foam};
 }
 
 SceneEntry pulling_foam_scene() {
   return {.name = "pullingfoam",
           .summary = "a foam held by two rings that are pulled apart",
-          .options = start_of_foam(),
+          .options = start_of_foam("grown from spheres"),
           .defaults = {{"time", 2.0},
                        {"diffusion", 20.0},
                        {"resolution", 0.15},
@@ -85,7 +120,7 @@ SceneEntry pulling_foam_scene() {
                        {"wires", std::vector<std::string>{"held: pull 0.04"}}},
           .build =
               [](const OptionSet& options) {
-                SurfaceMesh mesh = foam(options);
+                SurfaceMesh mesh = loaded_or_grown_foam(options);
                 hold_by_rings(mesh);
                 return mesh;
               },

@@ -1,10 +1,13 @@
 #include "FoamSim/scenes/foam_start.h"
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "Base/error.h"
 #include "FoamSim/scenes/scene.h"
 #include "LosTopos/io/mesh_file.h"
+#include "LosTopos/shapes/voronoi_foam.h"
 
 namespace foamsim {
 
@@ -21,6 +24,15 @@ lostopos::SurfaceMesh grown_foam(long spheres, std::uint64_t seed) {
   for (int i = 0; i < steps; ++i) simulation.step();
   // Without attributes: at rest, nothing held.
   return lostopos::to_mesh(lostopos::from_mesh(simulation.mesh()));
+}
+
+lostopos::SurfaceMesh voronoi_bubbles(long bubbles, int relaxations, std::uint64_t seed) {
+  constexpr double volume = std::numbers::pi / 6;
+  lostopos::SurfaceMesh mesh =
+      lostopos::voronoi_foam({.cells = bubbles, .seed = seed, .relaxations = relaxations, .subdivisions = 1});
+  const double side = std::cbrt(volume * static_cast<double>(bubbles));
+  for (lostopos::Vertex v : mesh.vertices()) mesh.set_position(v, side * mesh.position(v));
+  return mesh;
 }
 
 std::string path_of_mesh(const std::string& folder, const std::string& file) {

@@ -5,6 +5,7 @@
 
 #include "Base/error.h"
 #include "FoamSim/scenes/reference_options.h"
+#include "FoamSim/scenes/relaxed_start.h"
 #include "FoamSim/scenes/shapes/held.h"
 #include "FoamSim/scenes/toml_scene.h"
 #include "LosTopos/io/mesh_file.h"
@@ -69,6 +70,19 @@ double mean_side_length(const SurfaceMesh& mesh) {
   double sum = 0;
   for (Edge e : mesh.edges()) sum += lostopos::length(mesh, e) * static_cast<double>(mesh.triangles(e).size());
   return sum / std::max(1.0, 3 * static_cast<double>(mesh.triangle_count()));
+}
+
+long relaxation_steps(const base::OptionSet& options) {
+  return options_in_use(options).whole("relax");
+}
+
+void require_free_to_relax(const Scene& scene, StartSurface& start) {
+  if (relaxation_steps(scene.options) == 0) return;
+  if (!with_marked_vertices(start.mesh, start.held).empty())
+    throw base::InputError("relax is for foams that nothing holds; this start has films that are held, or end freely");
+  const bool moves = scene.mesh_file.empty() && scene.catalogue->scenes.find(scene.name).set_motion;
+  if (moves || !start.circulation.offsets.empty())
+    throw base::InputError("relax is for a start at rest; this one has circulation, which would be lost");
 }
 
 void set_start_motion(const Scene& scene, const lostopos::PairArray& given, Simulation& simulation) {
@@ -149,14 +163,19 @@ Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resol
   return {std::move(surface), options, simulation_parts(scene, resolution, held)};
 }
 
-Simulation make_simulation(const Scene& scene) {
+Simulation make_simulation(const Scene& scene, const RelaxationProgress& progress) {
   validate(scene);
   StartSurface start = start_surface(scene);
   hold_free_edges(start);
+  require_free_to_relax(scene, start);
   SimulationOptions options = simulation_options(scene.options);
   if (options.resolution == 0 && scene.options.word("resolution_mean") == "triangle-sides")
     options.resolution = mean_side_length(start.mesh);
   const double resolution = resolved_resolution(options, start.mesh);
+  if (const long steps = relaxation_steps(scene.options); steps > 0) {
+    options.resolution = resolution;
+    start.mesh = relaxed_start(std::move(start.mesh), options, scene.options.number("sigma"), steps, progress);
+  }
   Simulation simulation = make_simulation(scene, std::move(start.mesh), resolution, start.held);
   set_start_motion(scene, start.circulation, simulation);
   return simulation;

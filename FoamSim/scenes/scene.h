@@ -6,6 +6,7 @@
 #include "Base/options/option_set.h"
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/scenes/catalogue.h"
+#include "FoamSim/scenes/relaxed_start.h"
 #include "FoamSim/scenes/scene_options.h"
 
 namespace foamsim {
@@ -44,9 +45,10 @@ SimulationOptions simulation_options(const base::OptionSet& options);
 /// The effects, constraints and dynamics that the scene names. `edges`: where films end.
 SimulationParts simulation_parts(const Scene& scene, double resolution, const std::vector<lostopos::Vertex>& edges);
 
-/// The simulation of the scene from its start. Validates first. A film that ends at a free edge ends at a frame: the
-/// vertices on such edges are held, and so are those that a mesh file says are (constraint "frame").
-Simulation make_simulation(const Scene& scene);
+/// The simulation of the scene from its start, relaxed where it asks for that. Validates first. A film that ends at a
+/// free edge ends at a frame: the vertices on such edges are held, and so are those that a mesh file says are
+/// (constraint "frame").
+Simulation make_simulation(const Scene& scene, const RelaxationProgress& progress = {});
 /// The same, at rest, from a given surface (of a checkpoint, say); `resolution` is h̄ (L), `edges` the vertices where
 /// films end.
 Simulation make_simulation(const Scene& scene, lostopos::SurfaceMesh surface, double resolution,

@@ -49,6 +49,18 @@ void refuse_for_conservative(const base::OptionSet& options) {
         base::to_text(0.1 * resolution));
 }
 
+// Effects of which nothing is left without air.
+void refuse_for_relaxation(const base::OptionSet& options) {
+  if (options.word("dynamics") != "relaxation") return;
+  for (const char* effect : {"diffusion", "damping", "blow"})
+    if (names_have(effects_of(options), effect))
+      throw base::InputError("effect '" + std::string(effect) +
+                             "' acts on the air, and dynamics=relaxation has none; leave it out of --set effects=...");
+  for (const char* air : {"velocity", "air_by_stage"})
+    if (options.is_set(air))
+      throw base::InputError("option '" + std::string(air) + "' is about the air, and dynamics=relaxation has none");
+}
+
 // What is read by some of its steppings only.
 void refuse_for_stepping(const base::OptionSet& options) {
   if (options.word("dynamics") != "conservative" || options.word("stepping") == "kick-drift") return;
@@ -79,6 +91,7 @@ std::string not_used_message(const base::OptionSpec& spec, const base::OptionSet
 void validate(const Scene& scene, std::span<const std::string> also_used) {
   refuse_for_conservative(scene.options);
   refuse_for_stepping(scene.options);
+  refuse_for_relaxation(scene.options);
   if (scene.options.number("dt") == 0 && scene.options.word("dynamics") == "vortex-sheet")
     throw base::InputError(
         "dt=auto is for dynamics=conservative, whose longest stable step is known; with dynamics=vortex-sheet give dt "

@@ -31,6 +31,9 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
               catalogue.constraints),
       name_of("pressure", std::string("edge_angle"), "what drives circulation", catalogue.sheet.pressures),
       name_of("area", std::string("averaged"), "area that normalises curvature at junctions", catalogue.sheet.areas),
+      base::whole_number("relax", 0, 0,
+                         "steps of dynamics=relaxation before the first: towards equilibrium, at the bubbles' volumes; "
+                         "a foam of Voronoi bubbles makes 30 if this is not set"),
       base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
       base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
       base::flag("air_by_stage", false, "measure the air's energy after every stage, at 3 sums a step"),
@@ -73,8 +76,10 @@ bool holds_by_wire(const base::OptionSet& options) {
 
 std::vector<std::string> effects_of(const base::OptionSet& options) {
   std::vector<std::string> names = options.words("effects");
-  if (options.is_set("effects") || options.word("dynamics") != "conservative") return names;
+  if (options.is_set("effects") || options.word("dynamics") == "vortex-sheet") return names;
   std::erase(names, "diffusion");
+  if (options.word("dynamics") == "relaxation")
+    for (const char* of_air : {"damping", "blow"}) std::erase(names, of_air);
   names.emplace_back("volumes");
   return names;
 }
@@ -85,10 +90,11 @@ base::OptionSet options_in_use(const base::OptionSet& options) {
     if (!used.is_set(key)) used.set_default(key, value);
   };
   fill_in("effects", effects_of(options));
+  if (options.has("bubbles") && options.whole("bubbles") > 0) fill_in("relax", 30L);
   // A wire or rod keeps its vertices, and films near it theirs.
   if (holds_by_wire(options)) fill_in("remeshing.collapse_to_held", false);
-  if (options.word("dynamics") == "conservative") {
-    // The scheme keeps volumes, so remeshing must not be what changes them; and it rests where the area of the mesh is
+  if (options.word("dynamics") != "vortex-sheet") {
+    // These keep volumes, so remeshing must not be what changes them; and they rest where the area of the mesh is
     // least, which is the nearer to the films' rest the better its triangles are.
     fill_in("remeshing.max_volume_change", 0.002);
     fill_in("remeshing.smooth_below", 45.0);

@@ -9,8 +9,9 @@
 
 namespace foamsim {
 
-/// What acts on the films. Conservative dynamics that are not told otherwise leave out `diffusion`, which can win
-/// energy there, and keep volumes.
+/// What acts on the films. Dynamics that are not told otherwise keep volumes, but for the vortex sheet, and leave out
+/// what does not suit them: conservative ones `diffusion`, which can win energy there, relaxation all that acts on the
+/// air.
 std::vector<std::string> effects_of(const base::OptionSet& options);
 
 /// The options as the scene uses them: with the defaults that other options bring along (those of `conservative`:

@@ -28,6 +28,8 @@ struct SceneEntry {
   std::function<std::string(const base::OptionSet&)> mesh_file = {};
   /// What users should know of such a start; empty: nothing.
   std::function<std::vector<std::string>(const base::OptionSet&)> notes = {};
+  /// About how many triangles a run of it has, where users give a number of bubbles; empty: few enough for any machine.
+  std::function<double(const base::OptionSet&)> triangles = {};
 };
 
 /// The built-in scenes. A new one is a shape and an entry here, or an entry that a program adds to its own catalogue.

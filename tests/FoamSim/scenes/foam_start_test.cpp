@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <sstream>
+
 #include "Base/error.h"
 #include "FoamSim/run/start_checks.h"
+#include "FoamSim/scenes/scene_memory.h"
 #include "LosTopos/io/rec.h"
 #include "tests/FoamSim/scenes/start_mesh.h"
 #include "tests/support/film_meshes.h"
@@ -95,6 +99,87 @@ TEST(LoadDir, WithoutTheMeshIsRefusedInOneLine) {
       EXPECT_NE(message.find("load_dir"), std::string::npos) << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
+  }
+}
+
+TEST(FoamStart, OfBubblesIsRelaxed) {
+  Scene scene = built_in_scene("foam");
+  scene.options.set("bubbles", 12L, "test");
+  scene.options.set("relax", 0L, "test");
+  const double raw = lostopos::total_area(make_simulation(scene).mesh());
+  scene.options.unset("relax");
+  std::vector<long> told;
+  const Simulation simulation = make_simulation(scene, [&told](long done, long of) {
+    EXPECT_EQ(of, 30);
+    told.push_back(done);
+    return true;
+  });
+  EXPECT_EQ(told.size(), 30U);
+  EXPECT_EQ(lostopos::audit(simulation.mesh()).text(), "clean");
+  EXPECT_EQ(lostopos::regions(simulation.mesh()).size(), 13U);
+  EXPECT_LT(lostopos::total_area(simulation.mesh()), 0.96 * raw);
+  for (const lostopos::RegionVolume& bubble : lostopos::closed_region_volumes(simulation.mesh())) {
+    if (bubble.region == lostopos::air) continue;
+    EXPECT_GT(bubble.volume, 0.25 * std::numbers::pi / 6);
+    EXPECT_LT(bubble.volume, 2 * std::numbers::pi / 6);
+  }
+}
+
+TEST(FoamStart, CanBeLeftBeforeItIsRelaxed) {
+  Scene scene = built_in_scene("foam");
+  scene.options.set("bubbles", 4L, "test");
+  long told = 0;
+  make_simulation(scene, [&told](long, long) { return ++told < 3; });
+  EXPECT_EQ(told, 3);
+}
+
+TEST(FoamStart, IsOneOfThree) {
+  for (const auto& [keys, text] : {std::pair("bubbles=5 spheres=8", "'bubbles' and 'spheres'"),
+                                   std::pair("bubbles=5 load_dir=x", "'bubbles' and 'load_dir'"),
+                                   std::pair("relaxations=2", "'relaxations' is for")}) {
+    Scene scene = built_in_scene("foam");
+    std::istringstream words(keys);
+    for (std::string word; words >> word;) scene.options.set_assignment(word, "test");
+    try {
+      build_surface(scene);
+      ADD_FAILURE() << keys;
+    } catch (const base::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(RelaxedStart, IsForClosedFoamsAtRest) {
+  for (const char* name : {"quadjunction-frame", "headon"}) {
+    Scene scene = built_in_scene(name);
+    scene.options.set("relax", 2L, "test");
+    EXPECT_THROW(make_simulation(scene), base::InputError) << name;
+  }
+  Scene scene = built_in_scene("doublebubble");
+  const double area = lostopos::total_area(make_simulation(scene).mesh());
+  scene.options.set("relax", 5L, "test");
+  EXPECT_LT(lostopos::total_area(make_simulation(scene).mesh()), area);
+}
+
+TEST(SceneMemory, IsEstimatedWhereUsersGiveANumberOfBubbles) {
+  EXPECT_FALSE(estimated_size(built_in_scene("doublebubble")));
+  Scene scene = built_in_scene("foam");
+  scene.options.set("bubbles", 12L, "test");
+  const auto small = estimated_size(scene);
+  ASSERT_TRUE(small);
+  const double triangles = static_cast<double>(make_simulation(scene).mesh().triangle_count());
+  EXPECT_GT(small->triangles, 0.5 * triangles);
+  EXPECT_LT(small->triangles, 2 * triangles);
+  EXPECT_NO_THROW(require_memory(*small, 1e9));
+  scene.options.set("bubbles", 1'000'000L, "test");
+  const auto large = estimated_size(scene);
+  ASSERT_TRUE(large);
+  EXPECT_GT(large->bytes, 1e10);
+  try {
+    require_memory(*large, 1e9);
+    ADD_FAILURE();
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("1 GB"), std::string::npos) << error.what();
   }
 }
 

@@ -8,6 +8,8 @@ packages=(
   # libraries
   libeigen3-dev libsuitesparse-dev libboost-dev libtbb-dev libhwy-dev libcli11-dev libtomlplusplus-dev
   nlohmann-json3-dev libembree-dev libpng-dev voro++-dev
+  # several machines
+  libopenmpi-dev openmpi-bin
   # tests and benchmarks
   libgtest-dev librapidcheck-dev libbenchmark-dev
   # plots

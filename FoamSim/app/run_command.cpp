@@ -87,7 +87,8 @@ int run(const RunArguments& arguments, const Program& program) {
   const SceneArguments& given = arguments.scene;
   if (given.scene.empty() && arguments.resume.empty())
     throw base::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
-  RunSettings settings{given.out, given.force, arguments.resume, given.stop(), program.command_line};
+  const base::Ranks& ranks = *program.catalogue->sheet.ranks;
+  RunSettings settings{given.out, given.force, arguments.resume, given.stop(), program.command_line, ranks.rank() == 0};
   const bool resuming = !arguments.resume.empty();
   if (resuming && (!given.scene.empty() || !given.assignments.empty() || !given.area.empty() || given.seed))
     throw base::InputError("--resume goes on with the scene of the checkpoint; leave out the scene and its options");
@@ -98,7 +99,9 @@ int run(const RunArguments& arguments, const Program& program) {
   const InterruptGuard guard;
   const RunOutcome outcome = [&] {
     Progress progress(resuming ? "resumed" : scene.name, given.quiet);
-    return run_scene(scene, settings, hooks_for(progress));
+    RunHooks hooks = hooks_for(progress);
+    hooks.interrupted = [&ranks] { return ranks.any(InterruptGuard::interrupted()); };
+    return run_scene(scene, settings, hooks);
   }();
   if (outcome.end == RunEnd::failed) {
     base::print_error(program.name, "the simulation cannot go on: " + outcome.message);

@@ -80,7 +80,8 @@ Made make_conservative(const DynamicsSetup& setup) {
   own.largest_strain = options.number("largest_strain");
   own.most_substeps = options.whole("most_substeps");
   own.sheet_velocities = options.word("velocities") == "sheet";
-  return std::make_unique<Conservative>(own, setup.sheet.velocities.find(options.word("velocity")).make({options}));
+  return std::make_unique<Conservative>(
+      own, setup.sheet.velocities.find(options.word("velocity")).make({options, setup.sheet.ranks}));
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ const base::Registry<DynamicsEntry>& dynamics_schemes() {
         {},
         [](const DynamicsSetup& setup) -> Made {
           return std::make_unique<VortexSheet>(
-              setup.sheet.velocities.find(setup.options.word("velocity")).make({setup.options}),
+              setup.sheet.velocities.find(setup.options.word("velocity")).make({setup.options, setup.sheet.ranks}),
               setup.integrators.find(setup.options.word("integrator")).make({setup.options}));
         }},
        {"conservative", "films as a mechanical system: energy, volumes and equilibria right by construction",

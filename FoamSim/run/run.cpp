@@ -123,7 +123,8 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
       if (hooks.warn) hooks.warn(note);
   Plan plan{.last_step = last_step(settings.stop, motion)};
   if (settings.stop.until_rest) plan.at_rest = [&motion] { return motion.at_rest(); };
-  const lostopos::run::Output output = output_of(motion, settings, checkpoint);
+  const lostopos::run::Output output =
+      settings.write ? output_of(motion, settings, checkpoint) : lostopos::run::Output();
   const Metrics start = motion.metrics();
   lostopos::run::Hooks own{.stepped = {}, .interrupted = hooks.interrupted};
   if (hooks.progress) own.stepped = [&](double fraction) { hooks.progress(motion.metrics(), fraction); };

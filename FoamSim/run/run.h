@@ -25,6 +25,7 @@ struct RunSettings {
       resume;  ///< go on from this checkpoint (or the one in this folder); empty: from the scene's start
   StopAt stop;
   std::string command;  ///< the command line, for run.json
+  bool write = true;    ///< false: nothing is written, as where another process writes the same run
 };
 
 using RunEnd = lostopos::run::End;

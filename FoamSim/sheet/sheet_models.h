@@ -10,6 +10,7 @@ struct SheetModels {
   base::Registry<VertexAreaEntry> areas = vertex_area_strategies();
   base::Registry<PressureEntry> pressures = pressure_schemes();
   base::Registry<VelocityEntry> velocities = velocity_sums();
+  std::shared_ptr<const base::Ranks> ranks = base::alone();  ///< the processes that share out the velocity sums
 };
 
 }  // namespace foamsim

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 
+#include "Base/parallel/ranks.h"
 #include "FoamSim/sheet/velocity/biot_savart.h"
 
 namespace foamsim {
@@ -18,11 +20,18 @@ namespace foamsim {
 /// δ²)^{3/2}.
 class DirectBiotSavart final : public BiotSavart {
  public:
+  /// `ranks`: share out the targets.
+  explicit DirectBiotSavart(std::shared_ptr<const base::Ranks> ranks = base::alone()) : ranks_(std::move(ranks)) {}
   void velocities(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                   std::span<lostopos::Vec3> out) const override;
 
   /// Name of the instruction set in use on this machine, as Highway calls it ("AVX3" is AVX-512).
   static std::string_view simd_target();
+
+  std::unique_ptr<PairSummation> pair_sums(Precision precision) const override;
+
+ private:
+  std::shared_ptr<const base::Ranks> ranks_;
 };
 
 }  // namespace foamsim

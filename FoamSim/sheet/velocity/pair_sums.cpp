@@ -58,15 +58,23 @@ void DirectPairSums::add_up(const PairBodies<Real>& bodies, double delta_squared
   const bool all = terms == PairTerms::all;
   const std::size_t stride = bodies.x.size(), rows = stride / pair_row;
   const std::size_t groups = std::clamp<std::size_t>(rows, 1, most_groups);
-  parts_.resize(groups);
-  base::parallel_for_each(groups, 1, [&](std::size_t group) {
-    auto& out = parts_[group];
+  const auto [begin, end] = ranks_->share(groups);
+  parts_.resize(end - begin);
+  base::parallel_for_each(end - begin, 1, [&, begin = begin](std::size_t i) {
+    const std::size_t group = begin + i;
+    auto& out = parts_[i];
     out.assign((all ? all_components : potential_components) * stride, 0.0);
     for (std::size_t row = 0; row < rows; ++row) {
       const std::size_t turn = row % (2 * groups);
       if (std::min(turn, 2 * groups - 1 - turn) != group) continue;
       add_pair_row(bodies, row, delta_squared, all, out.data(), stride);
     }
+  });
+  totals_.assign((all ? all_components : potential_components) * stride, 0.0);
+  ranks_->in_turn(totals_, [this] {
+    base::parallel_for_each(totals_.size(), 4096, [this](std::size_t i) {
+      for (const auto& part : parts_) totals_[i] += part[i];
+    });
   });
 }
 
@@ -84,7 +92,7 @@ void DirectPairSums::evaluate(const VortexSources& sources, double delta, PairTe
     put_bodies(sources, units, doubles_);
     add_up(doubles_, delta * delta, terms);
   }
-  const std::size_t stride = parts_[0].size() / (all ? all_components : potential_components);
+  const std::size_t stride = totals_.size() / (all ? all_components : potential_components);
   sums.potential.resize(n);
   sums.force.resize(all ? n : 0);
   sums.velocity.resize(all ? n : 0);
@@ -92,11 +100,7 @@ void DirectPairSums::evaluate(const VortexSources& sources, double delta, PairTe
   const double of_potential = units.strength / units.length, of_velocity = of_potential / units.length;
   const double of_force = of_velocity * units.strength;
   base::parallel_for_each(n, 256, [&](std::size_t t) {
-    const auto total = [&](std::size_t c) {
-      double sum = 0;
-      for (const auto& part : parts_) sum += part[c * stride + t];
-      return sum;
-    };
+    const auto total = [&](std::size_t c) { return totals_[c * stride + t]; };
     const Vec3 own(sources.gx[t], sources.gy[t], sources.gz[t]);
     sums.potential[t] = scale * (of_potential * Vec3(total(0), total(1), total(2)) + own / delta);
     if (!all) return;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "Base/parallel/ranks.h"
 #include "FoamSim/sheet/velocity/pair_kernel.h"
 #include "FoamSim/sheet/velocity/vortex_sources.h"
 #include "LosTopos/vec3.h"
@@ -56,19 +57,25 @@ class PairSummation {
 /// multiplication (AVX2, AVX-512, NEON).
 class DirectPairSums final : public PairSummation {
  public:
-  explicit DirectPairSums(Precision precision = Precision::doubles) : precision_(precision) {}
+  /// `ranks`: share out the groups.
+  explicit DirectPairSums(Precision precision = Precision::doubles,
+                          std::shared_ptr<const base::Ranks> ranks = base::alone())
+      : precision_(precision), ranks_(std::move(ranks)) {}
 
   void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums) override;
 
  private:
-  // Works out sums of the padded bodies into parts_.
+  // Works out sums of the padded bodies into totals_.
   template <class Real>
   void add_up(const PairBodies<Real>& bodies, double delta_squared, PairTerms terms);
 
   Precision precision_;
+  std::shared_ptr<const base::Ranks> ranks_;
   PairBodies<double> doubles_;
   PairBodies<float> singles_;
-  std::vector<PairBodies<double>::Array> parts_;  // of every group: one array a component, one after the other
+  // Of each of this rank's groups, and of all: one array a component, one after the other.
+  std::vector<PairBodies<double>::Array> parts_;
+  PairBodies<double>::Array totals_;
 };
 
 }  // namespace foamsim

@@ -27,7 +27,8 @@ std::vector<base::OptionSpec> tree_options() {
 std::unique_ptr<BiotSavart> make_tree(const VelocitySetup& setup, bool direct_where_few) {
   return std::make_unique<TreeBiotSavart>(TreeOptions{.tolerance = setup.options.number("tolerance"),
                                                       .order = static_cast<std::size_t>(setup.options.whole("order")),
-                                                      .direct_where_few = direct_where_few});
+                                                      .direct_where_few = direct_where_few},
+                                          setup.ranks);
 }
 
 }  // namespace
@@ -38,7 +39,9 @@ const base::Registry<VelocityEntry>& velocity_sums() {
       {{"direct",
         "every source for every target, exact to rounding; cost grows with the square of the triangles",
         {},
-        [](const VelocitySetup&) -> std::unique_ptr<BiotSavart> { return std::make_unique<DirectBiotSavart>(); }},
+        [](const VelocitySetup& setup) -> std::unique_ptr<BiotSavart> {
+          return std::make_unique<DirectBiotSavart>(setup.ranks);
+        }},
        {"tree", "clusters of sources for clusters of targets, to a tolerance; cost grows with the triangles",
         tree_options(), [](const VelocitySetup& setup) { return make_tree(setup, false); }},
        {"auto",

@@ -1,14 +1,16 @@
 #pragma once
 
 #include "Base/options/option_set.h"
+#include "Base/parallel/ranks.h"
 #include "Base/registry/registry.h"
 #include "FoamSim/sheet/velocity/biot_savart.h"
 
 namespace foamsim {
 
-/// What a velocity sum may be made from: the options, with its own.
+/// What a velocity sum may be made from: the options, with its own, and the processes among which sums are shared out.
 struct VelocitySetup {
   const base::OptionSet& options;
+  std::shared_ptr<const base::Ranks> ranks = base::alone();
 };
 using VelocityEntry = base::Model<BiotSavart, VelocitySetup>;
 

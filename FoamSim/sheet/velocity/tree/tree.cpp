@@ -39,17 +39,18 @@ std::size_t few_for_pairs(const TreeOptions& options) {
 void TreeBiotSavart::velocities(const VortexSources& sources, std::span<const Vec3> targets, double delta,
                                 std::span<Vec3> out) const {
   if (options_.direct_where_few && sources.size() <= few_for_velocities(options_)) {
-    DirectBiotSavart().velocities(sources, targets, delta, out);
+    DirectBiotSavart(ranks_).velocities(sources, targets, delta, out);
     return;
   }
   check_arguments(sources, targets, delta, out);
   PairSums sums;
-  TreeSum().evaluate(sources, &targets, delta, TreeTerms::velocity, accuracy_of(options_, sources.size()), sums);
+  TreeSum().evaluate(sources, &targets, delta, TreeTerms::velocity, accuracy_of(options_, sources.size()), *ranks_,
+                     sums);
   std::ranges::copy(sums.velocity, out.begin());
 }
 
 std::unique_ptr<PairSummation> TreeBiotSavart::pair_sums(Precision precision) const {
-  return std::make_unique<TreePairSums>(options_, precision);
+  return std::make_unique<TreePairSums>(options_, precision, ranks_);
 }
 
 void TreePairSums::evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums) {
@@ -59,7 +60,7 @@ void TreePairSums::evaluate(const VortexSources& sources, double delta, PairTerm
   }
   if (!std::isfinite(delta) || !(delta > 0)) throw base::InputError("delta has to be a finite length > 0");
   tree_.evaluate(sources, nullptr, delta, terms == PairTerms::all ? TreeTerms::all : TreeTerms::potential,
-                 accuracy_of(options_, sources.size()), sums);
+                 accuracy_of(options_, sources.size()), *ranks_, sums);
 }
 
 }  // namespace foamsim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/parallel/ranks.h"
 #include "FoamSim/sheet/velocity/biot_savart.h"
 #include "FoamSim/sheet/velocity/tree/tree_sum.h"
 
@@ -21,23 +22,28 @@ std::size_t few_for_pairs(const TreeOptions& options);
 /// Sums by clusters (tree_sum.h): O(n).
 class TreeBiotSavart final : public BiotSavart {
  public:
-  explicit TreeBiotSavart(const TreeOptions& options) : options_(options) {}
+  explicit TreeBiotSavart(const TreeOptions& options, std::shared_ptr<const base::Ranks> ranks = base::alone())
+      : options_(options), ranks_(std::move(ranks)) {}
   void velocities(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                   std::span<lostopos::Vec3> out) const override;
   std::unique_ptr<PairSummation> pair_sums(Precision precision) const override;
 
  private:
   TreeOptions options_;
+  std::shared_ptr<const base::Ranks> ranks_;
 };
 
 /// The same of sources on themselves, or directly where there are few.
 class TreePairSums final : public PairSummation {
  public:
-  TreePairSums(const TreeOptions& options, Precision precision) : options_(options), direct_(precision) {}
+  TreePairSums(const TreeOptions& options, Precision precision,
+               const std::shared_ptr<const base::Ranks>& ranks = base::alone())
+      : options_(options), ranks_(ranks), direct_(precision, ranks) {}
   void evaluate(const VortexSources& sources, double delta, PairTerms terms, PairSums& sums) override;
 
  private:
   TreeOptions options_;
+  std::shared_ptr<const base::Ranks> ranks_;
   DirectPairSums direct_;
   TreeSum tree_;
 };

@@ -103,20 +103,52 @@ class PlanOf final : public TreePlan {
     pairs_.emplace(to().tree, from_.tree, accuracy.openness);
   }
 
-  void sum(const VortexSources& sources, TreeTerms terms, PairSums& result) override {
+  void sum(const VortexSources& sources, TreeTerms terms, const base::Ranks& ranks, PairSums& result) override {
     const double strength = unit_of_strength(sources);
     from_.near.take_strengths(from_.tree, sources, strength);
     from_.far.take_strengths(from_.tree, sources, strength);
     gather_charges(from_.tree, from_.grid, from_.far.of(Cluster()), nodes_, charges_);
     potentials_.assign(to().tree.clusters().size() * 3 * grid_size(nodes_), 0.0);
     out_.assign(components(terms) * stride(), 0.0);
-    meet(terms);
+    const Share own = share(ranks);
+    meet(own, terms);
+    ranks.gather(potentials_);
     spread_to_children(to().tree, nodes_, potentials_);
-    arrive(terms);
+    arrive(own, terms);
+    ranks.gather(out_);
     hand_over(terms, std::numbers::inv_pi / 4 * strength / length_, strength, result);
   }
 
  private:
+  // Clusters of targets, from the first to the last less one.
+  struct Share {
+    std::size_t begin, end;
+  };
+
+  // As much of the work for each rank as can be, counted in pairs of points.
+  Share share(const base::Ranks& ranks) const {
+    const std::size_t count = pairs_->far.size();
+    if (ranks.size() == 1) return {0, count};
+    std::vector<double> until{0};
+    for (std::size_t t = 0; t < count; ++t) {
+      const auto met = [this](const auto& met) {
+        double points = 0;
+        for (std::uint32_t s : met)
+          points += static_cast<double>(std::min<std::size_t>(from_.tree[s].size(), grid_size(nodes_)));
+        return points;
+      };
+      const double own = static_cast<double>(to().tree[static_cast<std::uint32_t>(t)].size());
+      const double as_grid = std::min(own, static_cast<double>(grid_size(nodes_)));
+      until.push_back(until.back() + own * met(pairs_->near[t]) + as_grid * met(pairs_->far[t]));
+    }
+    const auto first = [&](std::size_t rank) {
+      if (rank == ranks.size()) return count;
+      const double wanted = until.back() * static_cast<double>(rank) / static_cast<double>(ranks.size());
+      return static_cast<std::size_t>(std::ranges::lower_bound(until, wanted) - until.begin());
+    };
+    return {first(ranks.rank()), first(ranks.rank() + 1)};
+  }
+
   const Side<Near, Far>& to() const { return own_ ? *own_ : from_; }
   std::size_t stride() const { return to().far.x.size(); }
   // A grid is met by potentials alone, single points by all terms, which is twice the work. Sources go by the same
@@ -135,11 +167,11 @@ class PlanOf final : public TreePlan {
     return {apart.x(), apart.y(), apart.z()};
   }
 
-  void meet(TreeTerms terms) {
+  void meet(const Share& own, TreeTerms terms) {
     const std::size_t size = grid_size(nodes_);
     const double delta_squared = delta_ * delta_ / (length_ * length_);
-    base::parallel_for_each(pairs_->far.size(), 1, [&](std::size_t i) {
-      const auto t = static_cast<std::uint32_t>(i);
+    base::parallel_for_each(own.end - own.begin, 1, [&](std::size_t i) {
+      const auto t = static_cast<std::uint32_t>(own.begin + i);
       const Cluster& cluster = to().tree[t];
       double* arrived = out_.data() + cluster.begin;
       for (std::uint32_t s : pairs_->far[t])
@@ -156,10 +188,10 @@ class PlanOf final : public TreePlan {
   }
 
   // From the leaves' grids to their points.
-  void arrive(TreeTerms terms) {
+  void arrive(const Share& own, TreeTerms terms) {
     const Side<Near, Far>& side = to();
-    base::parallel_for_each(side.tree.clusters().size(), 1, [&](std::size_t i) {
-      const auto t = static_cast<std::uint32_t>(i);
+    base::parallel_for_each(own.end - own.begin, 1, [&](std::size_t i) {
+      const auto t = static_cast<std::uint32_t>(own.begin + i);
       const Cluster& cluster = side.tree[t];
       if (cluster.leaf())
         add_interpolated(side.grid.halves(t), side.far.of(cluster), nodes_,

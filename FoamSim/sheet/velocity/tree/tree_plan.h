@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "Base/parallel/ranks.h"
 #include "FoamSim/sheet/velocity/pair_sums.h"
 #include "FoamSim/sheet/velocity/tree/tree_accuracy.h"
 #include "FoamSim/sheet/velocity/tree/tree_kernel.h"
@@ -28,8 +29,9 @@ class TreePlan {
   bool fits(const VortexSources& sources, const std::span<const lostopos::Vec3>* targets, double delta,
             const TreeAccuracy& accuracy) const;
 
-  /// The sums with these strengths; the sources' places have to be those that it was made for.
-  virtual void sum(const VortexSources& sources, TreeTerms terms, PairSums& result) = 0;
+  /// The sums with these strengths; the sources' places have to be those that it was made for. `ranks`: share out the
+  /// clusters of targets.
+  virtual void sum(const VortexSources& sources, TreeTerms terms, const base::Ranks& ranks, PairSums& result) = 0;
 
  protected:
   TreePlan(const VortexSources& sources, const std::span<const lostopos::Vec3>* targets, double delta,

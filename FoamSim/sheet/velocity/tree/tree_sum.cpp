@@ -13,7 +13,7 @@ TreeSum::TreeSum() = default;
 TreeSum::~TreeSum() = default;
 
 void TreeSum::evaluate(const VortexSources& sources, const std::span<const Vec3>* targets, double delta,
-                       TreeTerms terms, const TreeAccuracy& accuracy, PairSums& result) {
+                       TreeTerms terms, const TreeAccuracy& accuracy, const base::Ranks& ranks, PairSums& result) {
   if (!std::isfinite(delta) || delta < 0) throw base::InputError("delta has to be a finite length >= 0");
   result = {};
   const std::size_t n = targets != nullptr ? targets->size() : sources.size();
@@ -26,7 +26,7 @@ void TreeSum::evaluate(const VortexSources& sources, const std::span<const Vec3>
   }
   if (plan_ == nullptr || !plan_->fits(sources, targets, delta, accuracy))
     plan_ = TreePlan::make(sources, targets, delta, accuracy);
-  plan_->sum(sources, terms, result);
+  plan_->sum(sources, terms, ranks, result);
 }
 
 }  // namespace foamsim

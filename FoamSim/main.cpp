@@ -2,7 +2,7 @@
 #include "Base/console/terminal.h"
 #include "Base/error.h"
 #include "FoamSim/app/run_program.h"
-#include "FoamSim/launch.h"
+#include "FoamSim/launch/launch.h"
 
 int main(int argc, char** argv) {
   std::unique_ptr<foamsim::Launch> launch;

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "FoamSim/launch.h"
+#include "FoamSim/launch/launch.h"
 
 namespace foamsim {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "Base/error.h"
-#include "FoamSim/launch.h"
+#include "FoamSim/launch/launch.h"
 
 namespace foamsim {
 

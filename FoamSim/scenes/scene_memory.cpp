@@ -10,7 +10,8 @@ namespace foamsim {
 // Measured with foams of Voronoi cells from 100 to 5,000 bubbles (docs/scale.md): mesh, attributes, the searches'
 // boxes, the tree of the sums and what a step keeps for the case that it fails.
 std::optional<SizeEstimate> estimated_size(const Scene& scene) {
-  constexpr double program = 20e6, of_triangle = 2000;
+  constexpr double program = 20e6;
+  const double of_triangle = scene.options.word("dynamics") == "conservative" ? 4200 : 2000;
   if (!scene.mesh_file.empty()) return std::nullopt;
   const auto& triangles = scene.catalogue->scenes.find(scene.name).triangles;
   if (!triangles) return std::nullopt;

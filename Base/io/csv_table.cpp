@@ -31,9 +31,7 @@ void CsvTable::add(const std::string& rows) {
                   (reason != 0 ? std::strerror(reason) : "the disk may be full"));
 }
 
-namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
+std::vector<std::string> csv_cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
   for (char c : line)
     if (c == ',')
@@ -43,16 +41,14 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-}  // namespace
-
 void read_csv(const std::filesystem::path& file, const std::string& header,
               const std::function<void(const std::vector<std::string>& cells)>& row) {
   std::ifstream in(file);
   if (!in) throw FileError("cannot read " + file.string() + ": " + std::strerror(errno));
-  const std::size_t columns = cells_of(header).size();
+  const std::size_t columns = csv_cells_of(header).size();
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) try {
-      const std::vector<std::string> cells = cells_of(line);
+      const std::vector<std::string> cells = csv_cells_of(line);
       if (number == 1 && line != header) throw InputError("the first line has to be '" + header + "'");
       if (cells.size() != columns)
         throw InputError("a row needs " + std::to_string(columns) + " cells, not " + std::to_string(cells.size()));

@@ -23,6 +23,9 @@ class CsvTable {
   std::uintmax_t whole_ = 0;  // bytes up to the end of the last whole row
 };
 
+/// The cells of one line as they stand: nothing is quoted.
+std::vector<std::string> csv_cells_of(const std::string& line);
+
 /// Reads a whole table and hands on the cells of every row. Throws InputError with file and line when the first line is
 /// not `header`, a row has another number of cells, or `row` throws one; FileError when the file cannot be read. Cells
 /// are taken as they stand: nothing is quoted.

@@ -1,38 +1,15 @@
 #include "FoamSim/scenes/toml_scene.h"
 
-#include <toml++/toml.h>
-
 #include <filesystem>
-#include <sstream>
 
 #include "Base/error.h"
 #include "FoamSim/constraints/wire_spec.h"
+#include "FoamSim/scenes/toml_values.h"
 #include "LosTopos/io/mesh_file.h"
 
 namespace foamsim {
 
 namespace {
-
-std::string place(const std::string& file, const toml::source_region& source) {
-  return file + ":" + std::to_string(source.begin.line);
-}
-
-base::OptionValue to_option_value(const toml::node& node, const std::string& where) {
-  if (const auto* flag = node.as_boolean()) return flag->get();
-  if (const auto* whole = node.as_integer()) return static_cast<long>(whole->get());
-  if (const auto* number = node.as_floating_point()) return number->get();
-  if (const auto* word = node.as_string()) return word->get();
-  if (const auto* list = node.as_array()) {
-    std::vector<std::string> words;
-    for (const toml::node& item : *list) {
-      if (!item.is_string() && !item.is_number())
-        throw base::InputError(where + ": a list here has to hold words in quotes, or numbers");
-      words.push_back(item.is_string() ? item.as_string()->get() : base::to_text(to_option_value(item, where)));
-    }
-    return words;
-  }
-  throw base::InputError(where + ": dates and nested lists are not options");
-}
 
 void read_table(const toml::table& table, const std::string& prefix, const std::string& file,
                 base::OptionSet& options) {
@@ -43,7 +20,7 @@ void read_table(const toml::table& table, const std::string& prefix, const std::
       read_table(*inner, name + ".", file, options);
       continue;
     }
-    const std::string where = place(file, node.source());
+    const std::string where = toml_place(file, node.source());
     options.set(name, to_option_value(node, where), where);
   }
 }
@@ -51,12 +28,12 @@ void read_table(const toml::table& table, const std::string& prefix, const std::
 // A table of a wire as the text that the option `wires` has for it.
 class WireTable {
  public:
-  WireTable(const toml::node& node, const std::string& file) : file_(file), where_(place(file, node.source())) {
+  WireTable(const toml::node& node, const std::string& file) : file_(file), where_(toml_place(file, node.source())) {
     if (node.as_table() == nullptr) fail("a wire is a table: begin it with [[wire]]");
     table_ = node.as_table();
     for (const auto& [key, value] : *table_)
       if (key != "vertices" && key != "selection" && key != "motion" && key != "from" && key != "until")
-        throw base::InputError(place(file_, value.source()) + ": a wire has no '" + std::string(key.str()) +
+        throw base::InputError(toml_place(file_, value.source()) + ": a wire has no '" + std::string(key.str()) +
                                "'; it has vertices or selection, motion, from and until");
   }
 
@@ -79,7 +56,7 @@ class WireTable {
  private:
   [[noreturn]] void fail(const std::string& why) const { throw base::InputError(where_ + ": " + why); }
   [[noreturn]] void fail_at(const toml::node& node, const std::string& why) const {
-    throw base::InputError(place(file_, node.source()) + ": " + why);
+    throw base::InputError(toml_place(file_, node.source()) + ": " + why);
   }
   std::string word(const char* key, const char* otherwise) const {
     const toml::node* node = table_->get(key);
@@ -112,12 +89,12 @@ void read_wires(const toml::table& table, const std::string& file, base::OptionS
   if (node == nullptr) return;
   const toml::array* wires = node->as_array();
   if (wires == nullptr)
-    throw base::InputError(place(file, node->source()) + ": wires are tables: begin each with [[wire]]");
+    throw base::InputError(toml_place(file, node->source()) + ": wires are tables: begin each with [[wire]]");
   std::vector<std::string> texts = options.is_set("wires") ? options.words("wires") : std::vector<std::string>{};
   for (const toml::node& wire : *wires) texts.push_back(WireTable(wire, file).text());
-  options.set("wires", texts, place(file, node->source()));
+  options.set("wires", texts, toml_place(file, node->source()));
   if (!options.is_set("constraints"))
-    options.set("constraints", std::vector<std::string>{"wire"}, place(file, node->source()));
+    options.set("constraints", std::vector<std::string>{"wire"}, toml_place(file, node->source()));
 }
 
 Scene start_of(const toml::table& table, const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
@@ -126,7 +103,7 @@ Scene start_of(const toml::table& table, const std::string& file, std::shared_pt
   if ((scene == nullptr) == (mesh == nullptr))
     throw base::InputError(file + ": a scene file needs either scene = \"NAME\" or mesh = \"FILE\"");
   const toml::node& start = scene != nullptr ? *scene : *mesh;
-  const std::string where = place(file, start.source());
+  const std::string where = toml_place(file, start.source());
   if (!start.is_string()) throw base::InputError(where + ": a name in quotes has to follow here");
   const std::string name = start.as_string()->get();
   if (mesh != nullptr) {
@@ -144,13 +121,7 @@ Scene start_of(const toml::table& table, const std::string& file, std::shared_pt
 }  // namespace
 
 Scene read_toml_scene(const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
-  if (!std::filesystem::is_regular_file(file)) throw base::FileError(file + ": there is no such scene file");
-  toml::table table;
-  try {
-    table = toml::parse_file(file);
-  } catch (const toml::parse_error& error) {
-    throw base::InputError(place(file, error.source()) + ": not valid TOML: " + std::string(error.description()));
-  }
+  const toml::table table = parse_toml(file, "scene file");
   Scene scene = start_of(table, file, std::move(catalogue));
   read_table(table, "", file, scene.options);
   read_wires(table, file, scene.options);

@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FoamSim)
 
-install(TARGETS base console lostopos lostopos_run multitracker foamsim foamsim_studies foamsim_render foamsim_app EXPORT FoamSimTargets
+install(TARGETS base console lostopos lostopos_run multitracker foamsim foamsim_studies foamsim_sweep foamsim_render foamsim_app EXPORT FoamSimTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS foamsim_program multitracker_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(folder Base LosTopos MultiTracker FoamSim)
@@ -11,7 +11,7 @@ foreach(folder Base LosTopos MultiTracker FoamSim)
 endforeach()
 install(FILES FoamSim/app/run_program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/FoamSim/app)
 install(FILES ${PROJECT_BINARY_DIR}/generated/FoamSim/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/FoamSim)
-install(DIRECTORY plots assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/foamsim PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY plots assets/scenes assets/sweeps DESTINATION ${CMAKE_INSTALL_DATADIR}/foamsim PATTERN __pycache__ EXCLUDE)
 
 install(EXPORT FoamSimTargets NAMESPACE foamsim:: DESTINATION ${config_dir})
 configure_package_config_file(cmake/FoamSimConfig.cmake.in ${PROJECT_BINARY_DIR}/FoamSimConfig.cmake

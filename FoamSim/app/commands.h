@@ -23,6 +23,7 @@ struct Program {
 /// Adds a command to the program. Its action returns the exit code, or throws base::Error. `program` has to outlive it.
 void add_run_command(base::Command& root, const Program& program);
 void add_compare_command(base::Command& root, const Program& program);
+void add_sweep_command(base::Command& root, const Program& program);
 void add_study_command(base::Command& root, const Program& program);
 void add_reproduce_command(base::Command& root, const Program& program);
 void add_render_command(base::Command& root, const Program& program);

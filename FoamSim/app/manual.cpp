@@ -18,7 +18,8 @@ Section exit_status() {
   return {"exit status",
           {{"0", "done"},
            {"2", "bad input, or output that cannot be written; nothing is left behind"},
-           {"3", "the simulation could not go on; the last good state is saved and named"},
+           {"3", "the simulation could not go on; the last good state is saved and named; of a sweep: runs failed"},
+           {"4", "sweep: some runs are still to come"},
            {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved"}}};
 }
 

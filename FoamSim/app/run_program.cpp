@@ -33,6 +33,7 @@ int run_program(int argc, char** argv, std::shared_ptr<const Catalogue> catalogu
     base::Command& root = commands.root();
     app::add_run_command(root, program);
     app::add_compare_command(root, program);
+    app::add_sweep_command(root, program);
     app::add_study_command(root, program);
     app::add_reproduce_command(root, program);
     app::add_render_command(root, program);

@@ -18,6 +18,15 @@ namespace {
 // Sums over all slots cost little while few of them are dead.
 constexpr double most_dead_slots = 0.1;
 
+// How far vertices move, over h̄, before the search for what is near them is done again.
+constexpr double slack = 0.11;
+
+NearTriangles::Margins margins_of(const TrackerOptions& options) {
+  const double merged = options.topology.enabled ? options.topology.merge_distance : 0;
+  return {.reach = std::max(merged, options.proximity_epsilon) * options.resolution,
+          .slack = slack * options.resolution};
+}
+
 bool has_many_gaps(const SurfaceMesh& mesh) {
   const auto gaps = [](std::size_t living, std::size_t slots) {
     return static_cast<double>(slots - living) > most_dead_slots * static_cast<double>(slots);
@@ -31,7 +40,8 @@ SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
     : mesh_(std::move(mesh)),
       options_(options),
       held_(add_hold_attribute(mesh_)),
-      solid_(mesh_.add_triangle_attribute<std::uint8_t>("solid", carry::copy)) {
+      solid_(mesh_.add_triangle_attribute<std::uint8_t>("solid", carry::copy)),
+      near_(margins_of(options)) {
   options_.remesh.target_edge = options_.resolution;
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
     throw base::InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
@@ -51,7 +61,7 @@ MoveOptions SurfaceTracker::move_options() const {
 }
 
 MoveResult SurfaceTracker::move_to(std::span<const Vec3> predicted) {
-  if (options_.collisions) return move_safely(mesh_, predicted, held_.slots(), move_options());
+  if (options_.collisions) return move_safely(mesh_, predicted, held_.slots(), move_options(), &near_);
   for (Vertex v : mesh_.vertices()) mesh_.set_position(v, predicted[v.index()]);
   return {};
 }
@@ -125,7 +135,7 @@ int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done)
   const int parts = std::max(1, static_cast<int>(std::ceil(note_motion(predicted) / longest - 1e-9)));
   if (parts == 1 || !options_.collisions) return 1;
   const base::TimedScope timed(done.move_seconds);
-  done.move = move_if_free(mesh_, predicted, held_.slots(), move_options());
+  done.move = move_if_free(mesh_, predicted, held_.slots(), move_options(), &near_);
   return done.move.fraction > 0 ? 0 : parts;
 }
 
@@ -157,7 +167,7 @@ TopologyStatistics SurfaceTracker::change_topology() {
   const TopologyOptions& options = options_.topology;
   if (!options.enabled) return statistics;
   const base::Stopwatch watch;
-  RemeshContext context(mesh_, held_, options_.remesh, observers_.observers());
+  RemeshContext context(mesh_, held_, options_.remesh, observers_.observers(), &near_);
   TopologyPass pass(
       context, options, [this](Vertex v) { return (*motion_)[v]; }, statistics);
   if (options.collapse_regions) pass.collapse_small_regions();
@@ -176,7 +186,7 @@ RemeshStatistics SurfaceTracker::remesh() {
   if (!options_.remeshing) return statistics;
   for (int i = 0; i < options_.remeshing_iterations; ++i) {
     Remesher remesher(mesh_, held_, options_.remesh, observers_.observers());
-    statistics += remesher.run();
+    statistics += remesher.run(&near_);
   }
   if (has_many_gaps(mesh_)) mesh_.compact();
   return statistics;

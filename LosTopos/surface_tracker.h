@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "LosTopos/collision/near_triangles.h"
 #include "LosTopos/collision/safe_move.h"
 #include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/observer_list.h"
@@ -119,6 +120,7 @@ class SurfaceTracker {
   TrackerOptions options_;
   VertexAttribute<Hold> held_;
   TriangleAttribute<std::uint8_t> solid_;
+  NearTriangles near_;  // of no step's result: only what makes the next search faster
   // The displacement that the last step asked of every vertex, L; only where the topology may change.
   std::optional<VertexAttribute<Vec3>> motion_;
   ObserverList observers_;

@@ -59,45 +59,66 @@ struct ContactSearch::Scratches {
 };
 
 ContactSearch::ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon,
-                             MoveStatistics& statistics)
+                             MoveStatistics& statistics, NearTriangles* near)
     : mesh_(mesh),
       motion_(motion),
       statistics_(statistics),
       scale_{proximity_epsilon, proximity_epsilon, least_gap_over_proximity * proximity_epsilon},
       margin_(0.5 * proximity_epsilon),
-      edge_boxes_(mesh.edge_slots()),
+      near_(near && near->margins().reach >= proximity_epsilon ? near : nullptr),
       owned_(mesh.triangle_slots(), 0),
-      is_subject_(mesh.triangle_slots(), 0) {
-  for (Triangle t : mesh.triangles()) {
-    unsigned owned = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (mesh.triangles(mesh.edges(t)[i])[0] == t) owned |= 1u << i;
-      if (mesh.triangles(mesh.vertices(t)[i])[0] == t) owned |= 8u << i;
-    }
-    owned_[t.index()] = static_cast<unsigned char>(owned);
-  }
-}
+      is_subject_(mesh.triangle_slots(), 0) {}
 
 FoundContacts ContactSearch::all() {
   const base::Stopwatch watch;
   motion_.forget_changes();
-  subjects_.assign(mesh_.triangles().begin(), mesh_.triangles().end());
-  for (Triangle t : subjects_) is_subject_[t.index()] = 1;
-  for (Edge e : mesh_.edges()) grow_edge_box(e);
-  broad_phase_.build(mesh_, motion_.starts(), motion_.ends(), margin_);
-  set_scale();
+  uses_lists_ = near_ && near_->follow(mesh_, motion_.starts(), motion_.ends());
+  if (uses_lists_) {
+    begin_with_lists();
+  } else {
+    begin_with_boxes();
+    for (Triangle t : mesh_.triangles()) add_subject(t);
+  }
+  double extent = 0;
+  for (Triangle t : subjects_) {
+    const Box swept = box(t);
+    extent = std::max(extent, (swept.high - swept.low).maxCoeff());
+  }
+  scale_.safe = std::max(scale_.proximity, distance_error * extent);
   statistics_.broad_phase_seconds += watch.seconds();
   return search(false);
 }
 
+// Triangles with nothing near them are left out.
+void ContactSearch::begin_with_lists() {
+  near_->complete(mesh_);
+  for (Triangle t : mesh_.triangles()) {
+    if (near_->near(t).empty()) continue;
+    add_subject(t);
+    note_owned(t);
+  }
+  if (!subjects_.empty()) edge_boxes_.resize(mesh_.edge_slots());
+  for (Triangle t : subjects_)
+    for (Edge e : mesh_.edges(t)) grow_edge_box(e);
+}
+
+void ContactSearch::begin_with_boxes() {
+  for (Triangle t : mesh_.triangles()) note_owned(t);
+  edge_boxes_.resize(mesh_.edge_slots());
+  for (Edge e : mesh_.edges()) grow_edge_box(e);
+  broad_phase_.build(mesh_, motion_.starts(), motion_.ends(), margin_);
+}
+
 FoundContacts ContactSearch::again() {
   const base::Stopwatch watch;
-  for (Vertex v : motion_.changed()) {
-    for (Triangle t : mesh_.triangles(v)) {
-      if (!is_subject_[t.index()]) subjects_.push_back(t);
-      is_subject_[t.index()] = 1;
-    }
+  const auto is_covered = [this](Vertex v) { return near_->covers(v, motion_.ends()[v.index()]); };
+  if (uses_lists_ && !std::ranges::all_of(motion_.changed(), is_covered)) {
+    uses_lists_ = false;
+    begin_with_boxes();
   }
+  for (Vertex v : motion_.changed())
+    for (Triangle t : mesh_.triangles(v))
+      if (!uses_lists_ || !near_->near(t).empty()) add_subject(t);
   update_boxes();
   statistics_.broad_phase_seconds += watch.seconds();
   FoundContacts found = search(true);
@@ -105,30 +126,40 @@ FoundContacts ContactSearch::again() {
   return found;
 }
 
+void ContactSearch::add_subject(Triangle t) {
+  if (!is_subject_[t.index()]) subjects_.push_back(t);
+  is_subject_[t.index()] = 1;
+}
+
+void ContactSearch::note_owned(Triangle t) {
+  unsigned owned = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (mesh_.triangles(mesh_.edges(t)[i])[0] == t) owned |= 1u << i;
+    if (mesh_.triangles(mesh_.vertices(t)[i])[0] == t) owned |= 8u << i;
+  }
+  owned_[t.index()] = static_cast<unsigned char>(owned);
+}
+
 void ContactSearch::grow_edge_box(Edge e) {
   const auto& [a, b] = mesh_.vertices(e);
   edge_boxes_[e.index()] = united(swept_box(motion_, a, margin_), swept_box(motion_, b, margin_));
 }
 
-void ContactSearch::set_scale() {
-  double extent = 0;
-  for (Triangle t : subjects_) {
-    const Box& box = broad_phase_.box(t);
-    extent = std::max(extent, (box.high - box.low).maxCoeff());
-  }
-  scale_.safe = std::max(scale_.proximity, distance_error * extent);
+Box ContactSearch::box(Triangle t) const {
+  const auto& [a, b, c] = mesh_.edges(t);
+  return united(edge_boxes_[a.index()], united(edge_boxes_[b.index()], edge_boxes_[c.index()]));
 }
 
 void ContactSearch::update_boxes() {
-  for (Vertex v : motion_.changed()) {
-    for (Edge e : mesh_.edges(v)) grow_edge_box(e);
+  if (!subjects_.empty()) {
+    for (Vertex v : motion_.changed())
+      for (Edge e : mesh_.edges(v)) grow_edge_box(e);
   }
   double extent = 0;
   for (Triangle t : subjects_) {
-    const auto& [a, b, c] = mesh_.edges(t);
-    const Box box = united(edge_boxes_[a.index()], united(edge_boxes_[b.index()], edge_boxes_[c.index()]));
-    extent = std::max(extent, (box.high - box.low).maxCoeff());
-    broad_phase_.set(t, box);
+    const Box swept = box(t);
+    extent = std::max(extent, (swept.high - swept.low).maxCoeff());
+    if (!uses_lists_) broad_phase_.set(t, swept);
   }
   scale_.safe = std::max(scale_.safe, distance_error * extent);
 }
@@ -198,8 +229,8 @@ void ContactSearch::search_block(std::size_t first, std::size_t last, bool chang
 
 void ContactSearch::collect(Triangle t, bool changed_only, Scratch& scratch) const {
   scratch.near.clear();
-  broad_phase_.query_unsorted(broad_phase_.box(t), scratch.near);
-  for (Triangle u : scratch.near) {
+  if (!uses_lists_) broad_phase_.query_unsorted(box(t), scratch.near);
+  for (Triangle u : uses_lists_ ? near_->near(t) : std::span<const Triangle>(scratch.near)) {
     // Of two subjects the smaller looks at the other.
     if (u == t || (is_subject_[u.index()] && u < t)) continue;
     pair_vertices(t, u, changed_only, scratch);
@@ -211,23 +242,26 @@ void ContactSearch::collect(Triangle t, bool changed_only, Scratch& scratch) con
 // The vertices that belong to t against u.
 void ContactSearch::pair_vertices(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const {
   const unsigned owned = owned_[t.index()] >> 3u;
+  if (owned == 0) return;
   const auto& [a, b, c] = mesh_.vertices(u);
+  const Box box_of_u = box(u);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex v = mesh_.vertices(t)[i];
     if ((owned >> i & 1u) == 0 || v == a || v == b || v == c) continue;
     if (changed_only && !motion_.is_changed(v) && !motion_.is_changed(a) && !motion_.is_changed(b) &&
         !motion_.is_changed(c))
       continue;
-    if (!overlap(swept_box(motion_, v, margin_), broad_phase_.box(u))) continue;
+    if (!overlap(swept_box(motion_, v, margin_), box_of_u)) continue;
     scratch.pairs.push_back({ElementPair::Kind::vertex_triangle, v.index(), u.index(), {v, a, b, c}});
   }
 }
 
 // The edges that belong to t against those that belong to u.
 void ContactSearch::pair_edges(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const {
+  const Box box_of_u = box(u);
   for (std::size_t i = 0; i < 3; ++i) {
     const Edge e = mesh_.edges(t)[i];
-    if ((owned_[t.index()] >> i & 1u) == 0 || !overlap(edge_boxes_[e.index()], broad_phase_.box(u))) continue;
+    if ((owned_[t.index()] >> i & 1u) == 0 || !overlap(edge_boxes_[e.index()], box_of_u)) continue;
     const auto& [a, b] = mesh_.vertices(e);
     for (std::size_t j = 0; j < 3; ++j) {
       const Edge f = mesh_.edges(u)[j];

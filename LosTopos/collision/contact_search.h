@@ -5,6 +5,7 @@
 #include "LosTopos/collision/broad_phase.h"
 #include "LosTopos/collision/contact.h"
 #include "LosTopos/collision/motion.h"
+#include "LosTopos/collision/near_triangles.h"
 #include "LosTopos/collision/pair_test.h"
 #include "LosTopos/collision/safe_move.h"
 
@@ -20,11 +21,14 @@ struct FoundContacts {
 
 /// Finds what comes too near in a motion: all pairs once, then only pairs of which a vertex has changed. Pairs are
 /// reached through triangles; an edge or a vertex belongs to the first triangle in its list, so that every pair comes
-/// up once. Runs in parallel; results are sorted by pair.
+/// up once. Triangles that are near each other are taken from given lists where these cover the motion, and else found
+/// by the boxes they sweep. Runs in parallel; results are sorted by pair, and the same either way.
 class ContactSearch {
  public:
-  /// The mesh and the motion must outlive this; ε_c in L. Counts and times are added to `statistics`.
-  ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon, MoveStatistics& statistics);
+  /// The mesh, the motion and `near` must outlive this; ε_c in L. `near`: lists to be used and brought up to date; or
+  /// null. Counts and times are added to `statistics`.
+  ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon, MoveStatistics& statistics,
+                NearTriangles* near = nullptr);
 
   /// Looks at every pair. Forgets the motion's changes.
   FoundContacts all();
@@ -34,8 +38,12 @@ class ContactSearch {
 
  private:
   struct Scratch;
-  void set_scale();
+  void begin_with_lists();
+  void begin_with_boxes();
+  void add_subject(Triangle t);
+  void note_owned(Triangle t);
   void grow_edge_box(Edge e);
+  Box box(Triangle t) const;
   void update_boxes();
   FoundContacts search(bool changed_only);
   struct Scratches;
@@ -50,6 +58,8 @@ class ContactSearch {
   MoveStatistics& statistics_;
   ContactScale scale_;
   double margin_;  // boxes of pairs nearer than ε_c overlap
+  NearTriangles* near_;
+  bool uses_lists_ = false;  // or else the broad phase
   BroadPhase broad_phase_;
   std::vector<Box> edge_boxes_;
   std::vector<unsigned char> owned_;  // by triangle: bits 0-2 its edges, 3-5 its vertices that belong to it

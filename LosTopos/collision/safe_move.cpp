@@ -38,10 +38,11 @@ void require_usable(const SurfaceMesh& mesh, std::span<const Vec3> predicted, st
 // Makes one motion safe, over several attempts at fractions of it.
 class SafeMove {
  public:
-  SafeMove(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held, const MoveOptions& options)
+  SafeMove(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held, const MoveOptions& options,
+           NearTriangles* near)
       : options_(options),
         motion_(mesh, predicted, held),
-        search_(mesh, motion_, options.proximity_epsilon, statistics_) {}
+        search_(mesh, motion_, options.proximity_epsilon, statistics_, near) {}
 
   // Looks at the whole motion and repels what is close at its start. True when nothing collides then.
   bool begin(double fraction) {
@@ -144,9 +145,9 @@ MoveStatistics& MoveStatistics::operator+=(const MoveStatistics& other) {
 }
 
 MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
-                       const MoveOptions& options) {
+                       const MoveOptions& options, NearTriangles* near) {
   require_usable(mesh, predicted, held, options);
-  SafeMove move(mesh, predicted, held, options);
+  SafeMove move(mesh, predicted, held, options, near);
   double fraction = 1;
   while (!move.attempt(fraction)) {
     if (fraction / 2 < options.smallest_step) fail(mesh, move.collisions(), fraction);
@@ -158,9 +159,9 @@ MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::
 }
 
 MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
-                        const MoveOptions& options) {
+                        const MoveOptions& options, NearTriangles* near) {
   require_usable(mesh, predicted, held, options);
-  SafeMove move(mesh, predicted, held, options);
+  SafeMove move(mesh, predicted, held, options, near);
   if (!move.begin(1)) return {move.statistics(), 0};
   move.finish(mesh);
   return {move.statistics(), 1};

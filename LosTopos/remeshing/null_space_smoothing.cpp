@@ -96,8 +96,7 @@ std::optional<Refusal> NullSpaceSmoothing::plan_move(Vertex v, const Vec3& targe
   c_.plan.measure(c_.mesh);
   target_ = target;
   if (const auto refusal = first_broken(smoothing_invariants, c_.plan, c_.limits)) return refusal;
-  const std::array<Vertex, 1> moving = {v};
-  if (!c_.guard.is_free(c_.motion, {moving, Edge()})) return Refusal::intersection;
+  if (!c_.guard.move_is_free(v, c_.motion)) return Refusal::intersection;
   return {};
 }
 

@@ -20,7 +20,7 @@ class RemeshContext {
   /// `held`: what no operation may move or remove, see mesh/hold.h. `index`: see SurfaceIndex; may be null. Throws
   /// InputError for options out of range.
   RemeshContext(SurfaceMesh& mesh, const VertexAttribute<Hold>& held, const RemeshOptions& options,
-                std::span<OperationObserver* const> observers = {}, BroadPhase* index = nullptr)
+                std::span<OperationObserver* const> observers = {}, NearTriangles* index = nullptr)
       : mesh(mesh),
         held(held),
         options(options),

@@ -11,7 +11,7 @@ Remesher::Remesher(SurfaceMesh& mesh, const VertexAttribute<Hold>& held, const R
   limits_of(options_);  // throws early
 }
 
-RemeshStatistics Remesher::run(BroadPhase* index) {
+RemeshStatistics Remesher::run(NearTriangles* index) {
   const base::Stopwatch watch;
   RemeshStatistics statistics;
   RemeshContext context(mesh_, held_, options_, observers_, index);

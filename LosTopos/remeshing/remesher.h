@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "LosTopos/collision/broad_phase.h"
+#include "LosTopos/collision/near_triangles.h"
 #include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/operation_events.h"
 #include "LosTopos/remeshing/remesh_options.h"
@@ -22,11 +22,10 @@ class Remesher {
            std::vector<OperationObserver*> observers = {});
 
   /// One pass: split long edges, split large angles, collapse short edges, flip, smooth; then aggressive rounds while
-  /// triangles are out of bounds. The mesh must not intersect itself. `index`: a broad phase that holds every living
-  /// triangle in a box that contains it, which the pass uses and keeps up to date; without one the pass builds its own
-  /// if it finds anything to do. The result depends on nothing but the mesh, `held` and the options. A pass that
-  /// finds nothing to do costs a few hundred nanoseconds a triangle.
-  RemeshStatistics run(BroadPhase* index = nullptr);
+  /// triangles are out of bounds. The mesh must not intersect itself. `index`: see SurfaceIndex; without one the pass
+  /// builds its own if it finds anything to do. The result depends on nothing but the mesh, `held` and the options. A
+  /// pass that finds nothing to do costs a few hundred nanoseconds a triangle.
+  RemeshStatistics run(NearTriangles* index = nullptr);
 
  private:
   SurfaceMesh& mesh_;

@@ -87,20 +87,20 @@ NearPair measured(const SurfaceMesh& mesh, const ElementPair& pair) {
   return {d.distance, pair, {1 - d.s, d.s, 1 - d.t, d.t}};
 }
 
-std::vector<NearPair> near_pairs(const SurfaceMesh& mesh, double distance) {
+std::vector<NearPair> near_pairs(const SurfaceMesh& mesh, double distance, NearTriangles* near) {
   Motion at_rest(mesh, mesh.positions(), {});
   MoveStatistics unused;
-  ContactSearch search(mesh, at_rest, distance, unused);
+  ContactSearch search(mesh, at_rest, distance, unused, near);
   std::vector<NearPair> found;
   for (const Contact& contact : search.all().proximities) {
-    NearPair near{0, contact.pair, {}};
+    NearPair pair{0, contact.pair, {}};
     Vec3 offset = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
-      near.weights[i] = std::abs(contact.weights[i]);
+      pair.weights[i] = std::abs(contact.weights[i]);
       offset += contact.weights[i] * mesh.position(contact.pair.vertices[i]);
     }
-    near.distance = offset.norm();
-    found.push_back(near);
+    pair.distance = offset.norm();
+    found.push_back(pair);
   }
   sort_nearest_first(found);
   return found;
@@ -112,7 +112,7 @@ std::vector<NearPair> near_pairs(const SurfaceMesh& mesh, SurfaceIndex& index, s
   std::vector<Triangle> nearby;
   PairsOfTriangles pairs(mesh, distance, found);
   for (Triangle t : triangles) {
-    index.nearby(grown(triangle_box(mesh, t, mesh.positions(), 0), distance), nearby);
+    index.near(t, distance, nearby);
     for (Triangle u : nearby)
       if (u != t) pairs.look(t, u);
   }

@@ -19,8 +19,8 @@ struct NearPair {
 NearPair measured(const SurfaceMesh& mesh, const ElementPair& pair);
 
 /// All pairs (vertex, triangle) and (edge, edge) nearer than `distance` (L), nearest first, equals by handle. Runs in
-/// parallel; the result does not depend on the number of threads.
-std::vector<NearPair> near_pairs(const SurfaceMesh& mesh, double distance);
+/// parallel; the result does not depend on the number of threads, nor on `near` (see ContactSearch).
+std::vector<NearPair> near_pairs(const SurfaceMesh& mesh, double distance, NearTriangles* near = nullptr);
 
 /// Those of them that have an element of one of `triangles` (alive, each once); `index` holds the mesh.
 std::vector<NearPair> near_pairs(const SurfaceMesh& mesh, SurfaceIndex& index, std::span<const Triangle> triangles,

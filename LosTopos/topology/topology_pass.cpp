@@ -135,7 +135,7 @@ void TopologyPass::list_result_star(std::vector<Triangle>& list) const {
 void TopologyPass::snap_near_places() {
   OperationCounts& counts = statistics_[TopologyOperation::snap];
   const base::TimedScope timed(counts.seconds);
-  std::vector<NearPair> pairs = near_pairs(c_.mesh, merge_distance_);
+  std::vector<NearPair> pairs = near_pairs(c_.mesh, merge_distance_, c_.index.given());
   for (int sweep = 0; sweep < options_.max_sweeps && !pairs.empty(); ++sweep) {
     std::vector<Triangle> changed;
     for (const NearPair& listed : pairs) {

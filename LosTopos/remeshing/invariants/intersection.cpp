@@ -55,8 +55,16 @@ bool holds(const Box& box, const Vec3& x) {
 
 void IntersectionGuard::gather(const Box& box, const LeftOut& left_out) {
   index_.nearby(box, found_);
-  vertex_handles_.clear();
-  edge_handles_.clear();
+  // All triangles of an element in the box have been found: the first of them brings it in.
+  sift(box, left_out, [](Triangle t, Triangle first) { return t == first; });
+}
+
+// Lists the elements in the box of the triangles that were found. `brings(t, first)`: whether t brings in an element
+// whose first triangle is `first`.
+template <class Brings>
+void IntersectionGuard::sift(const Box& box, const LeftOut& left_out, const Brings& brings) {
+  vertices_.clear();
+  edges_.clear();
   triangles_.clear();
   for (Triangle t : found_) {
     const auto& of_triangle = mesh_.vertices(t);
@@ -64,28 +72,36 @@ void IntersectionGuard::gather(const Box& box, const LeftOut& left_out) {
                       std::ranges::any_of(mesh_.edges(t), [&](Edge e) { return left_out.has(e); });
     if (!gone && !shares_a_vertex(left_out.vertices, of_triangle))
       triangles_.push_back({t, triangle_box(mesh_, t, mesh_.positions(), 0)});
-    vertex_handles_.insert(vertex_handles_.end(), of_triangle.begin(), of_triangle.end());
-    edge_handles_.insert(edge_handles_.end(), mesh_.edges(t).begin(), mesh_.edges(t).end());
-  }
-  sort_unique(vertex_handles_);
-  sort_unique(edge_handles_);
-  vertices_.clear();
-  for (Vertex v : vertex_handles_)
-    if (!contains(left_out.vertices, v) && holds(box, mesh_.position(v)))
-      vertices_.push_back({v, at_rest(mesh_.position(v))});
-  edges_.clear();
-  for (Edge e : edge_handles_) {
-    const auto& ends = mesh_.vertices(e);
-    if (left_out.has(e) || shares_a_vertex(left_out.vertices, ends)) continue;
-    const Vec3 &a = mesh_.position(ends[0]), &b = mesh_.position(ends[1]);
-    const Box edge_box{a.cwiseMin(b), a.cwiseMax(b)};
-    if (edge_box.overlaps(box)) edges_.push_back({e, ends, edge_box});
+    for (Vertex v : of_triangle)
+      if (brings(t, mesh_.triangles(v)[0]) && !contains(left_out.vertices, v) && holds(box, mesh_.position(v)))
+        vertices_.push_back({v, at_rest(mesh_.position(v))});
+    for (Edge e : mesh_.edges(t)) {
+      const auto& ends = mesh_.vertices(e);
+      if (!brings(t, mesh_.triangles(e)[0]) || left_out.has(e) || shares_a_vertex(left_out.vertices, ends)) continue;
+      const Vec3 &a = mesh_.position(ends[0]), &b = mesh_.position(ends[1]);
+      const Box edge_box{a.cwiseMin(b), a.cwiseMax(b)};
+      if (edge_box.overlaps(box)) edges_.push_back({e, ends, edge_box});
+    }
   }
 }
 
 bool IntersectionGuard::is_free(const StarMotion& motion, const LeftOut& left_out) {
   least_gap_ = least_gap(motion.box());
   gather(grown(motion.box(), least_gap_), left_out);
+  return nothing_is_met(motion);
+}
+
+bool IntersectionGuard::move_is_free(Vertex v, const StarMotion& motion) {
+  const std::array<Vertex, 1> moving = {v};
+  least_gap_ = least_gap(motion.box());
+  if (!index_.near_moving(v, motion.points()[0].path.end, least_gap_, found_)) return is_free(motion, {moving, Edge()});
+  if (found_.empty()) return true;
+  sort_unique(found_);
+  sift(grown(motion.box(), least_gap_), {moving, Edge()}, [](Triangle, Triangle) { return true; });
+  return nothing_is_met(motion);
+}
+
+bool IntersectionGuard::nothing_is_met(const StarMotion& motion) const {
   return std::ranges::all_of(motion.triangles(), [this](const auto& t) { return triangle_is_free(t); }) &&
          std::ranges::all_of(motion.edges(), [this](const auto& e) { return edge_is_free(e); }) &&
          std::ranges::all_of(motion.points(), [this](const auto& p) { return point_is_free(p); });

@@ -28,6 +28,8 @@ class IntersectionGuard {
   /// that share a vertex excepted. Every two triangles that meet without having a vertex in common, or that have one or
   /// two and meet elsewhere, include such a pair. False when there is a contact at any time, the end included.
   bool is_free(const StarMotion& motion, const LeftOut& left_out);
+  /// The same for `v`, which moves alone and takes its triangles with it: these are what `motion` holds.
+  bool move_is_free(Vertex v, const StarMotion& motion);
 
   /// Whether turning the edge (a, b) of the triangles (a, b, c) and (b, a, d) to (c, d) sweeps over nothing: exact
   /// tests of the tetrahedron between the two states against everything near it.
@@ -49,6 +51,9 @@ class IntersectionGuard {
   };
 
   void gather(const Box& box, const LeftOut& left_out);
+  template <class Brings>
+  void sift(const Box& box, const LeftOut& left_out, const Brings& brings);
+  bool nothing_is_met(const StarMotion& motion) const;
   bool point_is_free(const MovingPoint& point) const;
   bool edge_is_free(const StarMotion::MovingEdge& edge) const;
   bool triangle_is_free(const StarMotion::MovingTriangle& triangle) const;
@@ -60,8 +65,6 @@ class IntersectionGuard {
   const SurfaceMesh& mesh_;
   SurfaceIndex& index_;
   std::vector<Triangle> found_;
-  std::vector<Vertex> vertex_handles_;
-  std::vector<Edge> edge_handles_;
   std::vector<StaticVertex> vertices_;
   std::vector<StaticEdge> edges_;
   std::vector<StaticTriangle> triangles_;

@@ -109,7 +109,7 @@ TEST(Remesher, AQuietPassChangesNotOneBit) {
 
 // Stretches the double bubble to three times its length and back by maps that keep volumes and cannot make the surface
 // intersect itself; all that changes volumes is remeshing.
-void stretch_and_remesh(SurfaceMesh& mesh, const RemeshOptions& options, int steps, BroadPhase* index = nullptr) {
+void stretch_and_remesh(SurfaceMesh& mesh, const RemeshOptions& options, int steps, NearTriangles* index = nullptr) {
   auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
   Remesher remesher(mesh, held, options);
   for (int i = 0; i < steps; ++i) {
@@ -118,7 +118,6 @@ void stretch_and_remesh(SurfaceMesh& mesh, const RemeshOptions& options, int ste
       const Vec3& x = mesh.position(v);
       mesh.set_position(v, Vec3(x[0] / std::sqrt(f), x[1] * f, x[2] / std::sqrt(f)));
     }
-    if (index) index->build(mesh, mesh.positions(), mesh.positions(), 0.01 * options.target_edge);
     const RemeshStatistics statistics = remesher.run(index);
     EXPECT_EQ(statistics.too_long.total() + statistics.too_short.total(),
               edges_out_of_bounds(mesh, options.target_edge));
@@ -157,7 +156,7 @@ TEST(Remesher, GivesTheSameBitsWithAGivenIndexAndOtherLabels) {
     const Labels l = relabelled.labels(t);
     relabelled.set_labels(t, {renamed(l.p), renamed(l.q)});
   }
-  BroadPhase index;
+  NearTriangles index({.reach = 0.05 * options.target_edge, .slack = 0.1 * options.target_edge});
   stretch_and_remesh(plain, options, 20);
   stretch_and_remesh(indexed, options, 20, &index);
   stretch_and_remesh(relabelled, options, 20);

@@ -243,6 +243,7 @@ void TopologyPass::separate_vertices() {
   std::vector<Vertex> list;
   for (Vertex v : c_.mesh.vertices())
     if (!is_complete(c_.mesh, v)) list.push_back(v);
+  incomplete_ = list.size();
   for (int sweep = 0; sweep < options_.max_sweeps && !list.empty(); ++sweep) {
     std::vector<Vertex> next;
     for (Vertex v : list) {
@@ -250,6 +251,7 @@ void TopologyPass::separate_vertices() {
       const auto refusal = separation_.attempt(v);
       counts.count(refusal);
       if (refusal) continue;
+      incomplete_.reset();
       note(TopologyOperation::separation, separation_.regions(), position);
       for (Vertex changed : {v, separation_.added()}) {
         next.push_back(changed);
@@ -263,7 +265,8 @@ void TopologyPass::separate_vertices() {
 }
 
 void TopologyPass::count_what_is_left() {
-  statistics_.incomplete_vertices = 0;
+  statistics_.incomplete_vertices = incomplete_.value_or(0);
+  if (incomplete_) return;
   for (Vertex v : c_.mesh.vertices())
     if (!is_complete(c_.mesh, v)) ++statistics_.incomplete_vertices;
 }

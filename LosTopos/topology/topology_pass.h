@@ -38,7 +38,8 @@ class TopologyPass {
   TopologyStatistics& statistics_;
   PlaceMerge merge_;
   VertexSeparation separation_;
-  double merge_distance_;  // L
+  double merge_distance_;                  // L
+  std::optional<std::size_t> incomplete_;  // vertices, where they have been counted and nothing has changed since
 };
 
 }  // namespace lostopos

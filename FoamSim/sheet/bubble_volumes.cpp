@@ -33,17 +33,17 @@ std::map<Region, double> closed_bubbles(const SurfaceMesh& mesh) {
 
 BubbleVolumes::BubbleVolumes(const SurfaceMesh& mesh, const std::map<Region, double>& wanted)
     : mesh_(mesh), wanted_(static_cast<Eigen::Index>(wanted.size())) {
+  if (!wanted.empty()) rows_.assign(wanted.rbegin()->first.index() + std::size_t{1}, -1);
   int next = 0;
   for (const auto& [region, volume] : wanted) {
     wanted_[next] = volume;
-    rows_[region] = next++;
+    rows_[region.index()] = next++;
   }
 }
 
 // −1 for a region that is none of them.
 int BubbleVolumes::row(Region r) const {
-  const auto it = rows_.find(r);
-  return it == rows_.end() ? -1 : it->second;
+  return r.index() < rows_.size() ? rows_[r.index()] : -1;
 }
 
 Eigen::VectorXd BubbleVolumes::missing(std::span<const Vec3> x) const {

@@ -55,7 +55,7 @@ class BubbleVolumes {
   Star star(lostopos::Vertex v, std::span<const lostopos::Vec3> x) const;
 
   const lostopos::SurfaceMesh& mesh_;
-  std::map<lostopos::Region, int> rows_;
+  std::vector<int> rows_;  // by region; -1: none of these bubbles
   Eigen::VectorXd wanted_;
   std::vector<Star> stars_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;

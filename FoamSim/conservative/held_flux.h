@@ -26,7 +26,8 @@ class HeldFlux {
   static constexpr long most_iterations = 200;
   /// Adds to `phi` (by entry, L²/T), at driven vertices alone, what changes `flux` (by entry, L³/T) there to that of
   /// vertices that move with `velocity` (L/T, by vertex slot). By conjugate gradients without a matrix, until what is
-  /// missing is 1e-7 of the fluxes; returns how many iterations that took.
+  /// missing is 1e-7 of the fluxes, by sums that are in single precision from many_triangles on; returns how many
+  /// iterations that took.
   long solve(std::span<const double> flux, std::span<const lostopos::Vec3> velocity, std::span<double> phi);
 
  private:

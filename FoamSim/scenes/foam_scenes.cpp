@@ -82,7 +82,7 @@ SurfaceMesh foam(const OptionSet& options) {
   return voronoi_bubbles(bubbles, static_cast<int>(options.whole("relaxations")), seed_of(options));
 }
 
-// At edges of a length h: films have 1.72 of area a bubble, and triangles 0.43 h² (lists in docs/scale.md).
+// At edges of a length h: films have 1.72 of area a bubble, and triangles 0.43 h².
 double triangles_of_foam(const OptionSet& options) {
   const double h = options.number("resolution") > 0 ? options.number("resolution") : 0.15;
   return 1.72 / (0.43 * h * h) * static_cast<double>(options.whole("bubbles"));

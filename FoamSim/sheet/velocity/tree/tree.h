@@ -14,7 +14,7 @@ struct TreeOptions {
 };
 
 /// Up to how many triangles that is, as benchmarks/tree_sum_benchmark.cpp finds it at tolerances of 1e-4 and 1e-6: for
-/// for velocities at half as many targets, and for the sums of sources on themselves, which direct ones visit by pairs
+/// velocities at half as many targets, and for the sums of sources on themselves, which direct ones visit by pairs
 /// and in single precision.
 std::size_t few_for_velocities(const TreeOptions& options);
 std::size_t few_for_pairs(const TreeOptions& options);

@@ -70,8 +70,8 @@ bool table1(const ReproduceArguments& arguments, const Program& program) {
   hooks.run = [&](const std::string& area, long n, double begin, double end) {
     if (!progress) progress = std::make_unique<Progress>("table 1", arguments.quiet);
     progress->relabel("table 1: " + area + ", N = " + std::to_string(n));
-    return RunHooks{[&progress, begin, end](const Metrics& metrics, double fraction) {
-                      progress->show(metrics, begin + fraction * (end - begin));
+    return RunHooks{[&progress, begin, end](long step, double time, double fraction) {
+                      progress->show(step, time, begin + fraction * (end - begin));
                     },
                     [] { return InterruptGuard::interrupted(); }};
   };

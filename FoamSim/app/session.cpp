@@ -5,13 +5,17 @@
 
 namespace foamsim::app {
 
-ThreadLimit thread_limit(int threads) {
+void require_threads(int threads) {
   if (threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
+}
+
+ThreadLimit thread_limit(int threads) {
+  require_threads(threads);
   return ThreadLimit(threads);
 }
 
 RunHooks hooks_for(Progress& progress) {
-  return {[&progress](const Metrics& metrics, double fraction) { progress.show(metrics, fraction); },
+  return {[&progress](long step, double time, double fraction) { progress.show(step, time, fraction); },
           [] { return InterruptGuard::interrupted(); },
           [](const std::string& note) { base::print_warning("foamsim", note); },
           [&progress](long done, long of) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "Base/parallel/for_each.h"
 #include "FoamSim/metrics/half_planes.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -134,6 +135,12 @@ Vec3 border_tangent(const SurfaceMesh& mesh, Vertex v, const std::array<Edge, 2>
   return (before / before.squaredNorm() + after / after.squaredNorm()).normalized();
 }
 
+struct Place {
+  Vertex vertex;
+  std::array<Edge, 2> edges;
+  std::array<HalfPlane, 3> planes;
+};
+
 std::array<HalfPlane, 3> film_planes(const SurfaceMesh& mesh, Vertex v, const std::array<Edge, 2>& edges) {
   const Vec3 axis = border_tangent(mesh, v, edges), u = axis.unitOrthogonal(), w = axis.cross(u);
   const Edge ahead = edges[1];
@@ -153,9 +160,15 @@ std::array<HalfPlane, 3> film_planes(const SurfaceMesh& mesh, Vertex v, const st
 }  // namespace
 
 FilmAngles film_angles(const SurfaceMesh& mesh) {
-  DihedralAngles angles;
+  std::vector<Place> places;
   for (Vertex v : mesh.vertices())
-    if (const auto edges = border_edges(mesh, v)) angles.add(film_planes(mesh, v, *edges));
+    if (const auto edges = border_edges(mesh, v)) places.push_back({v, *edges, {}});
+  constexpr std::size_t grain = 32;
+  base::parallel_for_each(places.size(), grain, [&](std::size_t i) {
+    places[i].planes = film_planes(mesh, places[i].vertex, places[i].edges);
+  });
+  DihedralAngles angles;
+  for (const Place& place : places) angles.add(place.planes);
   return {angles.rms_deviation_deg(), angles.outer_mean_deg(), angles.places()};
 }
 

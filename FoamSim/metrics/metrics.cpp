@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "FoamSim/metrics/film_angles.h"
@@ -14,15 +15,17 @@ using lostopos::RegionVolume;
 using lostopos::Vec3;
 
 double smallest_triangle_angle(const lostopos::SurfaceMesh& mesh) {
-  double smallest = std::numbers::pi;
+  // The cotangents of a triangle's corners are the dot products of the sides there over twice the area: no arc needs to
+  // be taken but the last.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double greatest = -infinity;
   for (lostopos::Triangle t : mesh.triangles()) {
-    const auto x = lostopos::corners(mesh, t);
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 a = x[(i + 1) % 3] - x[i], b = x[(i + 2) % 3] - x[i];
-      smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
-    }
+    const auto [a, b, c] = lostopos::corners(mesh, t);
+    const Vec3 ab = b - a, bc = c - b, ca = a - c;
+    const double dot = std::max({-ab.dot(ca), -ab.dot(bc), -bc.dot(ca)}), cross = ab.cross(bc).norm();
+    greatest = std::max(greatest, cross > 0 ? dot / cross : infinity);
   }
-  return smallest * 180 / std::numbers::pi;
+  return std::atan2(1, greatest) * 180 / std::numbers::pi;
 }
 
 namespace {

@@ -26,7 +26,7 @@ struct Metrics {
   TopologyTotals topology_totals;                                       ///< since the start
   std::size_t incomplete_vertices = 0;  ///< where two regions meet without a common film, after the step
   double topology_seconds = 0;          ///< wall time of the step's topology passes
-  double step_seconds = 0;              ///< wall time of the step
+  double step_seconds = 0;              ///< wall time of the step, without its measurement
   long velocity_evaluations = 0;        ///< in the step
   double stable_dt = 0;                 ///< of the conservative scheme, see StepReport, T
   long substeps = 1;

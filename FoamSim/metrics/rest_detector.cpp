@@ -19,16 +19,17 @@ double characteristic_time(const std::vector<lostopos::RegionVolume>& volumes, d
   return std::sqrt(radius_cubed / sigma);
 }
 
-bool RestDetector::add(const Metrics& metrics) {
+bool RestDetector::add(double time, const StepReport& report,
+                       const std::function<std::optional<double>()>& rms_angle_deg) {
   if (!(window_ > 0)) return false;  // nothing by which to tell rest
-  if (!(metrics.kinetic_energy < energy_ratio * metrics.potential_energy)) {
+  if (!(report.kinetic_energy < energy_ratio * report.potential_energy)) {
     quiet_.clear();
     return false;
   }
-  quiet_.push_back({metrics.time, metrics.angle_rms_deg.value_or(0)});
-  if (metrics.time - quiet_.front().time < window_) return false;
+  quiet_.push_back({time, rms_angle_deg().value_or(0)});
+  if (time - quiet_.front().time < window_) return false;
   const auto [low, high] = std::ranges::minmax(quiet_, {}, &Sample::angle);
-  while (metrics.time - quiet_.front().time >= window_) quiet_.pop_front();
+  while (time - quiet_.front().time >= window_) quiet_.pop_front();
   return high.angle - low.angle < angle_change_deg;
 }
 

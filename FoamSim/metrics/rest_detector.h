@@ -1,8 +1,11 @@
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <optional>
 
-#include "FoamSim/metrics/metrics.h"
+#include "FoamSim/dynamics/step_report.h"
+#include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
 
@@ -22,8 +25,9 @@ class RestDetector {
 
   /// `quiet`: what an earlier detector had seen, to go on with.
   explicit RestDetector(double window, std::deque<Sample> quiet = {}) : window_(window), quiet_(std::move(quiet)) {}
-  /// Takes the metrics of the next step; true when the surface is at rest, which it never is for a window of 0.
-  bool add(const Metrics& metrics);
+  /// Takes the energies of the next step; true when the surface is at rest, which it never is for a window of 0.
+  /// `rms_angle_deg` measures the angles of the surface after the step (JunctionAngles), which only a quiet one needs.
+  bool add(double time, const StepReport& report, const std::function<std::optional<double>()>& rms_angle_deg);
   /// Unbroken quiet samples, no older than the window.
   const std::deque<Sample>& quiet() const { return quiet_; }
 

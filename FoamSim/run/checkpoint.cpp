@@ -22,7 +22,7 @@ json volumes_json(const std::vector<lostopos::RegionVolume>& volumes) {
 }
 
 // What the last step measured, and a simulation cannot know without doing it again.
-json last_json(const Metrics& last) {
+json last_json(const StepReport& last) {
   return {{"kinetic_energy", last.kinetic_energy},
           {"potential_energy", last.potential_energy},
           {"impulse", {last.impulse.x(), last.impulse.y(), last.impulse.z()}},
@@ -70,8 +70,8 @@ Checkpoint checkpoint_from(const json& value, std::shared_ptr<const Catalogue> c
 
 }  // namespace
 
-json checkpoint_content(const Scene& scene, const Simulation& simulation, const StartOfRun& start, const Metrics& last,
-                        const std::deque<RestDetector::Sample>& quiet) {
+json checkpoint_content(const Scene& scene, const Simulation& simulation, const StartOfRun& start,
+                        const StepReport& last, const std::deque<RestDetector::Sample>& quiet) {
   return {{"scene", scene.name},
           {"mesh_file", scene.mesh_file},
           {"options", base::options_to_json(scene.options)},

@@ -31,7 +31,7 @@ inline lostopos::run::CheckpointFormat checkpoint_format() {
 
 /// What a checkpoint holds of a run; `last`: of the step before it.
 nlohmann::json checkpoint_content(const Scene& scene, const Simulation& simulation, const StartOfRun& start,
-                                  const Metrics& last, const std::deque<RestDetector::Sample>& quiet);
+                                  const StepReport& last, const std::deque<RestDetector::Sample>& quiet);
 
 /// Throws base::InputError, naming the file, for anything that is not a whole checkpoint of a known version.
 /// `catalogue`: what its names mean.

@@ -127,7 +127,7 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
       settings.write ? output_of(motion, settings, checkpoint) : lostopos::run::Output();
   const Metrics start = motion.metrics();
   lostopos::run::Hooks own{.stepped = {}, .interrupted = hooks.interrupted};
-  if (hooks.progress) own.stepped = [&](double fraction) { hooks.progress(motion.metrics(), fraction); };
+  if (hooks.progress) own.stepped = [&](double done) { hooks.progress(motion.steps(), motion.time(), done); };
   RunOutcome outcome = outcome_of(motion, lostopos::run::run_motion(motion, plan, output, own), output.folder);
   outcome.start = start;
   return outcome;

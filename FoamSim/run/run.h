@@ -48,10 +48,10 @@ struct RunOutcome {
 
 /// What the caller of a run hears and may say while it goes on.
 struct RunHooks {
-  std::function<void(const Metrics&, double fraction_done)> progress;  ///< after every step
-  std::function<bool()> interrupted;                                   ///< asked before every step
-  std::function<void(const std::string&)> warn = {};                   ///< what to know before the first step
-  std::function<void(long done, long of)> relaxed = {};                ///< after every step towards a relaxed start
+  std::function<void(long step, double time, double fraction_done)> progress;  ///< after every step
+  std::function<bool()> interrupted;                                           ///< asked before every step
+  std::function<void(const std::string&)> warn = {};                           ///< what to know before the first step
+  std::function<void(long done, long of)> relaxed = {};  ///< after every step towards a relaxed start
 };
 
 /// The options' bound on --until-rest, in characteristic times √(R³/σ) of the mean bubble.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/metrics/metrics_csv.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/run/events_csv.h"
@@ -33,7 +34,8 @@ SceneMotion::SceneMotion(Beginning beginning)
 
 void SceneMotion::step() {
   SimulationMotion::step();
-  at_rest_ = rest_.add(metrics());
+  if (steps() % scene_.options.whole("metrics_every") == 0) measure_now();
+  at_rest_ = rest_.add(time(), report(), [this] { return junction_angles(mesh()).rms_deviation_deg; });
 }
 
 std::vector<Table> SceneMotion::tables() const {
@@ -73,7 +75,7 @@ lostopos::SurfaceData SceneMotion::record() const {
 }
 
 void SceneMotion::save(nlohmann::json& checkpoint) const {
-  checkpoint = checkpoint_content(scene_, simulation(), start_, metrics(), rest_.quiet());
+  checkpoint = checkpoint_content(scene_, simulation(), start_, report(), rest_.quiet());
 }
 
 }  // namespace foamsim

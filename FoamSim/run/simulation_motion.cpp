@@ -17,16 +17,27 @@ SimulationMotion::SimulationMotion(Simulation simulation, std::vector<lostopos::
                                    const std::optional<StepReport>& before)
     : simulation_(std::move(simulation)),
       start_volumes_(std::move(start_volumes)),
-      metrics_(measure(simulation_, before ? *before : nothing_done(simulation_), start_volumes_)) {}
+      report_(before ? *before : nothing_done(simulation_)) {}
 
 void SimulationMotion::step() {
   const base::Stopwatch watch;
-  StepReport report = simulation_.step();
-  const base::Stopwatch measuring;
-  metrics_ = measure(simulation_, report, start_volumes_);
-  work_ = {std::move(report.times), report.move, std::move(report.topology), report.remesh};
-  work_.times.add("metrics", measuring.seconds());
-  metrics_.step_seconds = watch.seconds();
+  report_ = simulation_.step();
+  step_seconds_ = watch.seconds();
+  metrics_.reset();
+  work_ = {report_.times, report_.move, report_.topology, report_.remesh};
+}
+
+void SimulationMotion::measure_now() {
+  const base::TimedScope timed(work_.times, "metrics");
+  metrics();
+}
+
+const Metrics& SimulationMotion::metrics() const {
+  if (!metrics_) {
+    metrics_ = measure(simulation_, report_, start_volumes_);
+    metrics_->step_seconds = step_seconds_;
+  }
+  return *metrics_;
 }
 
 }  // namespace foamsim

@@ -126,13 +126,8 @@ class AccuracyRun {
     const StepReport report = simulation_.step();
     add_stages(report.times, row_.stages);
     const base::TimedScope timed(row_.stages, "rest");
-    // What rest is told by; the whole of the metrics would cost more than some stages do.
-    Metrics now;
-    now.time = simulation_.time();
-    now.kinetic_energy = report.kinetic_energy;
-    now.potential_energy = report.potential_energy;
-    now.angle_rms_deg = junction_angles(simulation_.mesh()).rms_deviation_deg;
-    if (rest_.add(now)) row_.ended = "at rest";
+    const auto angles = [this] { return junction_angles(simulation_.mesh()).rms_deviation_deg; };
+    if (rest_.add(simulation_.time(), report, angles)) row_.ended = "at rest";
   }
 
   const AccuracyOptions& options_;

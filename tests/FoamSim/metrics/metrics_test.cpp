@@ -132,39 +132,36 @@ TEST(StageTimesTest, AddUpByName) {
   EXPECT_EQ(all.stages().front().first, "velocity") << "in the order in which they first ran";
 }
 
-Metrics at(double time, double kinetic, double angle) {
-  Metrics m;
-  m.time = time;
-  m.kinetic_energy = kinetic;
-  m.potential_energy = 100;
-  m.angle_rms_deg = angle;
-  return m;
+bool add(RestDetector& detector, double time, double kinetic, double angle) {
+  StepReport report;
+  report.kinetic_energy = kinetic;
+  report.potential_energy = 100;
+  return detector.add(time, report, [angle] { return angle; });
 }
 
 TEST(RestDetectorTest, NeedsAWholeQuietWindow) {
   RestDetector detector(1);
-  for (int i = 0; i < 10; ++i) EXPECT_FALSE(detector.add(at(0.1 * i, 1e-5, 3)));
-  EXPECT_TRUE(detector.add(at(1.05, 1e-5, 3)));
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(add(detector, 0.1 * i, 1e-5, 3));
+  EXPECT_TRUE(add(detector, 1.05, 1e-5, 3));
 }
 
 TEST(RestDetectorTest, MotionStartsTheWindowAgain) {
   RestDetector detector(1);
-  for (int i = 0; i < 9; ++i) EXPECT_FALSE(detector.add(at(0.1 * i, 1e-5, 3)));
-  EXPECT_FALSE(detector.add(at(0.95, 1e-3, 3))) << "more than a millionth of the potential energy";
-  EXPECT_FALSE(detector.add(at(1.1, 1e-5, 3)));
-  EXPECT_FALSE(detector.add(at(2.0, 1e-5, 3)));
-  EXPECT_TRUE(detector.add(at(2.15, 1e-5, 3)));
+  for (int i = 0; i < 9; ++i) EXPECT_FALSE(add(detector, 0.1 * i, 1e-5, 3));
+  EXPECT_FALSE(add(detector, 0.95, 1e-3, 3)) << "more than a millionth of the potential energy";
+  EXPECT_FALSE(add(detector, 1.1, 1e-5, 3));
+  EXPECT_FALSE(add(detector, 2.0, 1e-5, 3));
+  EXPECT_TRUE(add(detector, 2.15, 1e-5, 3));
 }
 
 TEST(RestDetectorTest, SlowlyChangingAnglesAreNotRest) {
   RestDetector detector(1);
-  for (int i = 0; i <= 100; ++i) EXPECT_FALSE(detector.add(at(0.1 * i, 0, 3 + 0.003 * i))) << i;
+  for (int i = 0; i <= 100; ++i) EXPECT_FALSE(add(detector, 0.1 * i, 0, 3 + 0.003 * i)) << i;
 }
 
 TEST(RestDetectorTest, EnergyThatIsNoNumberIsNotRest) {
   RestDetector detector(1);
-  for (int i = 0; i <= 30; ++i)
-    EXPECT_FALSE(detector.add(at(0.1 * i, std::numeric_limits<double>::quiet_NaN(), 3))) << i;
+  for (int i = 0; i <= 30; ++i) EXPECT_FALSE(add(detector, 0.1 * i, std::numeric_limits<double>::quiet_NaN(), 3)) << i;
 }
 
 TEST(CharacteristicTime, IsThatOfTheMeanBubble) {
@@ -178,12 +175,7 @@ TEST(CharacteristicTime, IsThatOfTheMeanBubble) {
 TEST(RestDetectorTest, NeverFindsRestWithoutAWindow) {
   // Films in a frame have no bubble, and so no characteristic time.
   RestDetector detector(characteristic_time({}, 1));
-  Metrics still;
-  still.potential_energy = 1;
-  for (int i = 0; i < 5; ++i) {
-    still.time = i;
-    EXPECT_FALSE(detector.add(still));
-  }
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(add(detector, i, 0, 3));
 }
 
 }  // namespace

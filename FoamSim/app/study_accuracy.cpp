@@ -1,11 +1,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "Base/io/csv_table.h"
+#include "Base/options/option_value.h"
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
+#include "FoamSim/app/study_sweep.h"
 #include "FoamSim/studies/accuracy/accuracy_csv.h"
 
 namespace foamsim::app {
@@ -14,9 +15,8 @@ namespace {
 
 struct AccuracyArguments {
   AccuracyOptions options;
-  std::string out = "out/accuracy";
-  bool fixed_mesh = false, no_evolver = false, quiet = false, force = false;
-  int threads = 0;
+  StudyWays ways{.out = "out/accuracy"};
+  bool fixed_mesh = false, no_evolver = false;
 };
 
 void print_accuracy_header() {
@@ -26,23 +26,26 @@ void print_accuracy_header() {
               "error", "error", "error", "RMS deg", "RMS deg", "drift", "to rest");
 }
 
-std::string three_digits(const std::optional<double>& angle) {
-  char text[32] = "-";
-  if (angle) std::snprintf(text, sizeof(text), "%.3f", *angle);
-  return text;
+// A cell of the table as it is printed; empty ones as a dash.
+std::string cell(const StudyRow& row, const char* column, const char* format, double factor = 1) {
+  const std::string& text = row.at(column);
+  char printed[32] = "-";
+  if (!text.empty()) std::snprintf(printed, sizeof(printed), format, factor * std::stod(text));
+  return printed;
 }
 
-void print_accuracy(const AccuracyRow& row) {
-  std::printf("%-14s %4ld %-6s %6g %9zu ", row.area.c_str(), row.n, row.integrator.c_str(), row.dt, row.triangles);
-  if (row.errors) {
-    const EquilibriumErrors& e = *row.errors;
-    std::printf("%8.3f%% %7.2f%% %7.2f%% %7.2f%% %7.2f%% %8s %8s ", 100 * e.area, 100 * e.radius, 100 * e.rim,
-                100 * e.wall, 100 * e.pressure, three_digits(e.angle_rms_deg).c_str(),
-                three_digits(e.angle_rms_film_deg).c_str());
-  }
-  std::printf("%7.2f%% %8.2f", 100 * row.volume_drift, row.cpu_seconds);
-  if (row.ended != "at rest") std::printf("  %s at time %g", row.ended.c_str(), row.time);
-  std::printf("%s%s\n", row.reason.empty() ? "" : ": ", row.reason.c_str());
+void print_accuracy(const StudyRow& row) {
+  std::printf("%-14s %4s %-6s %6s %9s", row.at("area").c_str(), row.at("n").c_str(), row.at("integrator").c_str(),
+              cell(row, "dt", "%g").c_str(), row.at("triangles").c_str());
+  std::printf(" %9s", cell(row, "area_error", "%.3f%%", 100).c_str());
+  for (const char* column : {"radius_error", "rim_error", "wall_error", "pressure_error"})
+    std::printf(" %8s", cell(row, column, "%.2f%%", 100).c_str());
+  for (const char* column : {"angle_rms_deg", "angle_rms_film_deg"})
+    std::printf(" %8s", cell(row, column, "%.3f").c_str());
+  std::printf(" %8s %8s", cell(row, "volume_drift", "%.2f%%", 100).c_str(), cell(row, "cpu_seconds", "%.2f").c_str());
+  if (row.at("ended") != "at rest")
+    std::printf("  %s at time %s", row.at("ended").c_str(), cell(row, "time", "%g").c_str());
+  std::printf("%s%s\n", row.at("reason").empty() ? "" : ": ", row.at("reason").c_str());
   std::fflush(stdout);
 }
 
@@ -54,32 +57,39 @@ void make_quick(AccuracyOptions& options) {
   options.most_time = 8;
 }
 
+// What tells a row, and what all have.
+StudyRows rows_of(const AccuracyArguments& arguments) {
+  const AccuracyOptions& options = arguments.options;
+  StudyRows study{.study = "accuracy",
+                  .axes = {"sizes", "areas", "integrators", "dt"},
+                  .rows = {},
+                  .fixed = {"--damping", base::to_text(options.damping), "--time", base::to_text(options.most_time),
+                            "--no-evolver"},
+                  .header = accuracy_csv_header(),
+                  .print = print_accuracy};
+  if (arguments.fixed_mesh) study.fixed.emplace_back("--fixed-mesh");
+  for (const AccuracyCombination& c : combinations(options))
+    study.rows.push_back({std::to_string(c.n), c.area, c.integrator, base::to_text(c.dt)});
+  return study;
+}
+
 int study_accuracy_command(AccuracyArguments& arguments, const Program& program) {
-  AccuracyOptions& options = arguments.options;
-  options.remeshing = !arguments.fixed_mesh;
-  validate(options);
-  const std::filesystem::path out = arguments.out;
-  require_new_study(out, "accuracy.csv", arguments.force);
-  const ThreadLimit limit = thread_limit(arguments.threads);
+  arguments.options.remeshing = !arguments.fixed_mesh;
+  validate(arguments.options);
+  const StudyRows study = rows_of(arguments);
+  const std::filesystem::path& out = arguments.ways.out;
   const InterruptGuard guard;
-  base::CsvTable table(out / "accuracy.csv", accuracy_csv_header());
-  print_accuracy_header();
-  {
-    Progress progress("accuracy", arguments.quiet);
-    study_accuracy(options,
-                   {.row =
-                        [&](const AccuracyRow& row) {
-                          progress.clear();
-                          table.add(accuracy_csv_row(row));
-                          print_accuracy(row);
-                        },
-                    .progress = [&](const std::string& label, double fraction) { progress.show(label, fraction); },
-                    .interrupted = InterruptGuard::interrupted});
-  }
+  if (!arguments.ways.plan) print_accuracy_header();
+  const int code = make_study(study, arguments.ways, program, [&arguments](const RowHooks& hooks) {
+    study_accuracy(arguments.options, {.row = [&](const AccuracyRow& row) { hooks.row(accuracy_csv_row(row)); },
+                                       .progress = hooks.progress,
+                                       .interrupted = hooks.interrupted});
+  });
+  if (arguments.ways.plan) return code;
   if (!InterruptGuard::interrupted() && !arguments.no_evolver) run_plot_script("measure_evolver.py", out);
-  plot(program, "plot_accuracy.py", out);
+  if (study.rows.size() > 1) plot(program, "plot_accuracy.py", out);
   std::printf("output in %s\n", out.c_str());
-  return InterruptGuard::interrupted() ? InterruptGuard::exit_code() : exit_done;
+  return code;
 }
 
 }  // namespace
@@ -109,9 +119,7 @@ void add_study_accuracy(base::Command& study, const Program& program) {
   command.add({.name = "--no-evolver",
                .target = &arguments->no_evolver,
                .help = "do not measure Surface Evolver, where it is installed"});
-  add_output(command, arguments->out, arguments->force, "accuracy.csv and the plot");
-  add_quiet(command, arguments->quiet);
-  add_threads(command, arguments->threads);
+  add_study_ways(command, arguments->ways, "accuracy.csv and the plot");
   command.set_action([arguments, &program] { return study_accuracy_command(*arguments, program); });
 }
 

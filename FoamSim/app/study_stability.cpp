@@ -2,10 +2,11 @@
 #include <memory>
 
 #include "Base/error.h"
-#include "Base/io/csv_table.h"
+#include "Base/options/option_value.h"
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/app/study_commands.h"
+#include "FoamSim/app/study_sweep.h"
 #include "FoamSim/scenes/methods.h"
 #include "FoamSim/studies/stability/stability_csv.h"
 
@@ -18,9 +19,9 @@ constexpr double quick_scale = 0.05;
 
 struct StabilityArguments {
   StabilityOptions options;
-  std::string out = "out/stability", remeshing = "both";
-  bool list = false, quick = false, quiet = false, force = false;
-  int threads = 0;
+  StudyWays ways{.out = "out/stability"};
+  std::string remeshing = "both";
+  bool list = false, quick = false;
 };
 
 void print_stability_header() {
@@ -29,16 +30,16 @@ void print_stability_header() {
   std::printf("%-17s %-14s %-5s %-7s %9s %9s %9s\n", "", "", "", "", "rise", "drift", "drift");
 }
 
-void print_verdict(const StabilityRow& row) {
-  const Verdict& v = row.verdict;
-  std::printf("%-17s %-14s %-5s %-7s %8.3f%% %8.3f%% %8.3f%% %8.1f  ", row.name.c_str(), row.area.c_str(),
-              row.remeshing ? "moves" : "fixed", v.passed ? "pass" : "FAIL", 100 * row.physics.energy_rise,
-              100 * row.physics.volume_drift, 100 * row.physics.impulse_drift, row.seconds);
-  if (v.figure)
-    std::printf("%s %.4g; ", v.figure_name.c_str(), *v.figure);
-  else if (!v.figure_name.empty())
-    std::printf("%s: none; ", v.figure_name.c_str());
-  std::printf("%s\n", v.reason.c_str());
+void print_verdict(const StudyRow& row) {
+  const auto percent = [&row](const char* column) { return 100 * std::stod(row.at(column)); };
+  std::printf("%-17s %-14s %-5s %-7s %8.3f%% %8.3f%% %8.3f%% %8.1f  ", row.at("case").c_str(), row.at("area").c_str(),
+              row.at("remeshing") == "on" ? "moves" : "fixed", row.at("verdict") == "pass" ? "pass" : "FAIL",
+              percent("energy_rise"), percent("volume_drift"), percent("impulse_drift"), std::stod(row.at("seconds")));
+  if (!row.at("figure").empty())
+    std::printf("%s %.4g; ", row.at("figure_name").c_str(), std::stod(row.at("figure")));
+  else if (!row.at("figure_name").empty())
+    std::printf("%s: none; ", row.at("figure_name").c_str());
+  std::printf("%s\n", row.at("reason").c_str());
   std::fflush(stdout);
 }
 
@@ -68,35 +69,45 @@ std::vector<std::string> case_names() {
   return names;
 }
 
-int study_stability_command(StabilityArguments& arguments) {
+// What tells a row, and what all have.
+StudyRows rows_of(const StabilityOptions& options) {
+  StudyRows study{.study = "stability",
+                  .axes = {"cases", "areas", "remeshing"},
+                  .rows = {},
+                  .fixed = {"--steps-scale", base::to_text(options.steps_scale), "--case-seconds",
+                            base::to_text(options.most_seconds)},
+                  .header = stability_csv_header(),
+                  .print = {}};
+  for (const std::string& assignment : options.assignments)
+    study.fixed.insert(study.fixed.end(), {"--set", assignment});
+  for (const StabilityCombination& c : combinations(options))
+    study.rows.push_back({c.name, c.area, c.remeshing ? "on" : "off"});
+  return study;
+}
+
+int study_stability_command(StabilityArguments& arguments, const Program& program) {
   if (arguments.list) return list_cases();
   StabilityOptions& options = arguments.options;
   options.remeshing = remeshing_from(arguments.remeshing);
   if (arguments.quick) options.steps_scale *= quick_scale;
   validate(options);
-  const std::filesystem::path out = arguments.out;
-  require_new_study(out, "stability.csv", arguments.force);
-  const ThreadLimit limit = thread_limit(arguments.threads);
   const InterruptGuard guard;
-  base::CsvTable table(out / "stability.csv", stability_csv_header());
-  print_stability_header();
-  std::size_t failed = 0, all = 0;
-  {
-    Progress progress("stability", arguments.quiet);
-    study_stability(options,
-                    {.row =
-                         [&](const StabilityRow& row) {
-                           progress.clear();
-                           table.add(stability_csv_row(row));
-                           print_verdict(row);
-                           ++all;
-                           failed += row.verdict.passed ? 0 : 1;
-                         },
-                     .progress = [&](const std::string& label, double fraction) { progress.show(label, fraction); },
-                     .interrupted = InterruptGuard::interrupted});
-  }
-  std::printf("%zu of %zu passed; table in %s\n", all - failed, all, (out / "stability.csv").c_str());
-  return InterruptGuard::interrupted() ? InterruptGuard::exit_code() : exit_done;
+  StudyRows study = rows_of(options);
+  std::size_t passed = 0, all = 0;
+  study.print = [&](const StudyRow& row) {
+    print_verdict(row);
+    ++all;
+    passed += row.at("verdict") == "pass" ? 1 : 0;
+  };
+  if (!arguments.ways.plan) print_stability_header();
+  const int code = make_study(study, arguments.ways, program, [&options](const RowHooks& hooks) {
+    study_stability(options, {.row = [&](const StabilityRow& row) { hooks.row(stability_csv_row(row)); },
+                              .progress = hooks.progress,
+                              .interrupted = hooks.interrupted});
+  });
+  if (!arguments.ways.plan)
+    std::printf("%zu of %zu passed; table in %s/stability.csv\n", passed, all, arguments.ways.out.c_str());
+  return code;
 }
 
 }  // namespace
@@ -128,10 +139,8 @@ void add_study_stability(base::Command& study, const Program& program) {
   command.add({.name = "--case-seconds",
                .target = &options.most_seconds,
                .help = "wall time after which a motion is stopped and fails"});
-  add_output(command, arguments->out, arguments->force, "stability.csv");
-  add_quiet(command, arguments->quiet);
-  add_threads(command, arguments->threads);
-  command.set_action([arguments] { return study_stability_command(*arguments); });
+  add_study_ways(command, arguments->ways, "stability.csv");
+  command.set_action([arguments, &program] { return study_stability_command(*arguments, program); });
 }
 
 }  // namespace foamsim::app

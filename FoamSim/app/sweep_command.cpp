@@ -1,15 +1,13 @@
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "Base/console/terminal.h"
 #include "Base/error.h"
 #include "Base/io/file_lock.h"
-#include "Base/timing/stopwatch.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/session.h"
-#include "FoamSim/sweep/local_sweep.h"
+#include "FoamSim/app/sweep_session.h"
 #include "FoamSim/sweep/slurm.h"
 #include "FoamSim/sweep/table.h"
 
@@ -24,9 +22,6 @@ namespace {
 
 // More have to be confirmed.
 constexpr std::size_t most_without_asking = 1000;
-constexpr long most_workers = 10000;
-// What a sweep returns while some runs are still to come.
-constexpr int exit_unfinished = 4;
 
 struct SweepArguments {
   std::string grid, out, run, partition;
@@ -35,13 +30,6 @@ struct SweepArguments {
   int threads = 1;
   bool list = false, slurm = false, collect = false, retry = false, yes = false, quiet = false;
 };
-
-// The program itself, by a path that leads to it from any folder.
-fs::path own_path(const Program& program) {
-  std::error_code error;
-  const fs::path path = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path(program.name) : path;
-}
 
 sweep::Launcher launcher_of(const SweepArguments& arguments, const Program& program) {
   return {.program = own_path(program), .threads = arguments.threads, .retry = arguments.retry};
@@ -70,43 +58,11 @@ Sweep load_sweep(const SweepArguments& arguments, const Program& program) {
   return loaded;
 }
 
-std::size_t count_of(const std::vector<RunState>& states, Status status) {
-  return static_cast<std::size_t>(std::ranges::count(states, status, &RunState::status));
-}
-
-std::string counts_text(const std::vector<RunState>& states) {
-  std::string text;
-  for (const Status status :
-       {Status::finished, Status::failed, Status::interrupted, Status::running, Status::queued, Status::pending})
-    if (const std::size_t count = count_of(states, status); count > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + sweep::name(status);
-  return text;
-}
-
 void print_summary_of(const Sweep& sweep, const std::vector<RunState>& states) {
   for (std::size_t run = 0; run < states.size(); ++run)
     if (states[run].status == Status::failed)
       std::printf("failed: %s: %s\n", sweep.runs[run].name.c_str(), states[run].message.c_str());
   std::printf("%zu runs: %s; table in %s\n", states.size(), counts_text(states).c_str(), sweep.table().c_str());
-}
-
-int exit_code_for(const std::vector<RunState>& states) {
-  const std::size_t failed = count_of(states, Status::failed), finished = count_of(states, Status::finished);
-  if (failed + finished < states.size()) return exit_unfinished;
-  return failed > 0 ? exit_cannot_go_on : exit_done;
-}
-
-std::vector<std::size_t> runs_to_make(const std::vector<RunState>& states, bool retry) {
-  std::vector<std::size_t> runs;
-  for (std::size_t run = 0; run < states.size(); ++run)
-    if (sweep::wants_start(states[run], retry)) runs.push_back(run);
-  return runs;
-}
-
-std::vector<RunState> states_with_queue(Sweep& sweep) {
-  std::vector<RunState> states = sweep::states_of(sweep);
-  if (!sweep.submissions.empty()) sweep::mark_queued(sweep::queued_runs(sweep), states);
-  return states;
 }
 
 // What the folders say is worth a table also where there is no queue to ask any more.
@@ -158,59 +114,14 @@ int submit_runs(const SweepArguments& arguments, const Program& program, Sweep& 
   return exit_done;
 }
 
-// Shows how far a sweep is and keeps its table up to date.
-class SweepDisplay {
- public:
-  SweepDisplay(const Sweep& sweep, const std::vector<RunState>& states, bool quiet)
-      : sweep_(sweep), states_(states), quiet_(quiet), progress_("sweep", quiet) {}
-
-  void ended(std::size_t run) {
-    constexpr double table_interval = 5;  // seconds
-    progress_.clear();
-    if (!quiet_) {
-      std::printf("%s: %s%s%s\n", sweep_.runs[run].name.c_str(), sweep::name(states_[run].status),
-                  states_[run].message.empty() ? "" : ": ", states_[run].message.c_str());
-      std::fflush(stdout);
-    }
-    if (since_table_.seconds() < table_interval) return;
-    sweep::write_table(sweep_, states_);
-    since_table_.restart();
-  }
-
-  void waiting() {
-    constexpr double interval = 0.1;  // seconds
-    if (since_shown_.seconds() < interval) return;
-    since_shown_.restart();
-    const std::size_t done = count_of(states_, Status::finished) + count_of(states_, Status::failed);
-    progress_.show(counts_text(states_), static_cast<double>(done) / static_cast<double>(states_.size()));
-  }
-
- private:
-  const Sweep& sweep_;
-  const std::vector<RunState>& states_;
-  bool quiet_;
-  Progress progress_;
-  base::Stopwatch since_table_, since_shown_;
-};
-
 int run_here(const SweepArguments& arguments, const Program& program, Sweep& sweep, std::vector<RunState>& states) {
-  if (count_of(states, Status::queued) > 0)
-    throw base::InputError("runs of this sweep are queued as job " + sweep.submissions.back().job +
-                           "; wait for them (--collect), or cancel the job first");
-  sweep::write_sweep(sweep);
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int fitting = arguments.threads == 0 ? 1 : std::max(1, cores / arguments.threads);
-  const sweep::LocalSettings settings{.launcher = launcher_of(arguments, program),
-                                      .workers = static_cast<int>(arguments.workers.value_or(fitting))};
   const InterruptGuard guard;
-  {
-    SweepDisplay display(sweep, states, arguments.quiet);
-    sweep::run_locally(sweep, runs_to_make(states, arguments.retry), settings,
-                       {.ended = [&](std::size_t run) { display.ended(run); },
-                        .waiting = [&](std::size_t) { display.waiting(); },
-                        .interrupted = InterruptGuard::interrupted},
-                       states);
-  }
+  SweepSettings settings{.launcher = launcher_of(arguments, program),
+                         .workers = arguments.workers,
+                         .label = "sweep",
+                         .quiet = arguments.quiet};
+  if (!arguments.quiet) settings.ended = [&](std::size_t run) { print_state(sweep, run, states[run]); };
+  make_runs(sweep, settings, states);
   const int code = collect(arguments, sweep, states);
   if (!InterruptGuard::interrupted()) return code;
   if (!arguments.quiet)
@@ -253,9 +164,8 @@ int make_one_run(const SweepArguments& arguments, const Program& program) {
 }
 
 int run_sweep(const SweepArguments& arguments, const Program& program) {
-  if (arguments.workers && (*arguments.workers < 1 || *arguments.workers > most_workers))
-    throw base::InputError("--workers has to be a whole number from 1 to " + std::to_string(most_workers));
-  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
+  require_workers(arguments.workers);
+  require_threads(arguments.threads);
   if (!arguments.slurm && (!arguments.partition.empty() || !arguments.sbatch.empty()))
     throw base::InputError("--partition and --sbatch are for --slurm");
   if (!arguments.run.empty() || arguments.task) return make_one_run(arguments, program);

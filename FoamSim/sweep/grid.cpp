@@ -187,6 +187,7 @@ json to_json(const Grid& grid) {
                 {"options", grid.fixed},
                 {"until_rest", grid.until_rest},
                 {"sweep", json::array()}};
+  if (!grid.study.empty()) value["study"] = grid.study;
   if (grid.time) value["time"] = *grid.time;
   if (grid.steps) value["steps"] = *grid.steps;
   for (const Axis& axis : grid.axes) value["sweep"].push_back({{"option", axis.key}, {"values", axis.values}});
@@ -199,6 +200,7 @@ Grid grid_from_json(const json& value) {
   grid.scene_hash = value.at("scene_hash").get<std::string>();
   grid.fixed = value.at("options").get<std::vector<std::string>>();
   grid.until_rest = value.at("until_rest").get<bool>();
+  if (value.contains("study")) grid.study = value["study"].get<std::string>();
   if (value.contains("time")) grid.time = value["time"].get<double>();
   if (value.contains("steps")) grid.steps = value["steps"].get<long>();
   for (const json& axis : value.at("sweep"))

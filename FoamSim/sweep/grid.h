@@ -17,7 +17,7 @@ struct Axis {
   bool operator==(const Axis&) const = default;
 };
 
-/// What a sweep runs: a scene with each combination of some options' values.
+/// What a sweep runs: a scene with each combination of some options' values, or the rows of a study.
 struct Grid {
   std::string scene;                    ///< as `run` takes it; a file by its absolute path
   std::string scene_hash = {};          ///< of that file's bytes; empty: a built-in scene
@@ -26,6 +26,10 @@ struct Grid {
   std::optional<long> steps = {};
   bool until_rest = false;
   std::vector<Axis> axes = {};  ///< in the order of the file; not empty, and none of them is
+  /// "accuracy": each run is a row of this study, and there is no scene. The axes are arguments of the study ("areas"
+  /// for
+  /// --areas), `fixed` are words of its command line, and its table is STUDY.csv in the run's folder.
+  std::string study = {};
   bool operator==(const Grid&) const = default;
 };
 

@@ -31,23 +31,40 @@ std::string name_of(const Grid& grid, const std::vector<std::string>& values) {
   return name.substr(0, longest_name) + "-" + stable_hash(exact);
 }
 
+std::vector<std::string> study_arguments(const Grid& grid, const PlannedRun& run) {
+  std::vector<std::string> arguments{"study", grid.study};
+  for (std::size_t i = 0; i < grid.axes.size(); ++i)
+    arguments.insert(arguments.end(), {"--" + grid.axes[i].key, run.values[i]});
+  arguments.insert(arguments.end(), grid.fixed.begin(), grid.fixed.end());
+  return arguments;
+}
+
 }  // namespace
+
+PlannedRun planned_run(const Grid& grid, std::vector<std::string> values) {
+  std::string name = name_of(grid, values);
+  return {std::move(name), std::move(values)};
+}
 
 std::vector<PlannedRun> plan_runs(const Grid& grid) {
   const std::size_t count = count_runs(grid);
   if (count > most_runs) throw base::InputError("a sweep can have " + std::to_string(most_runs) + " runs at most");
-  std::vector<PlannedRun> runs(count);
+  std::vector<PlannedRun> runs;
+  runs.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t rest = i;
-    std::vector<std::string>& values = runs[i].values;
-    values.resize(grid.axes.size());
+    std::vector<std::string> values(grid.axes.size());
     for (std::size_t axis = grid.axes.size(); axis-- > 0;) {
       values[axis] = grid.axes[axis].values[rest % grid.axes[axis].values.size()];
       rest /= grid.axes[axis].values.size();
     }
-    runs[i].name = name_of(grid, values);
+    runs.push_back(planned_run(grid, std::move(values)));
   }
   return runs;
+}
+
+std::string table_of_run(const Grid& grid) {
+  return grid.study.empty() ? "metrics.csv" : grid.study + ".csv";
 }
 
 std::vector<std::string> stop_arguments(const Grid& grid) {
@@ -59,6 +76,7 @@ std::vector<std::string> stop_arguments(const Grid& grid) {
 }
 
 std::vector<std::string> run_arguments(const Grid& grid, const PlannedRun& run) {
+  if (!grid.study.empty()) return study_arguments(grid, run);
   std::vector<std::string> arguments{"run", grid.scene};
   for (const std::string& fixed : grid.fixed) arguments.insert(arguments.end(), {"--set", fixed});
   for (std::size_t i = 0; i < grid.axes.size(); ++i)

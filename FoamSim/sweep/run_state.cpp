@@ -84,6 +84,8 @@ RunState recorded_state(const fs::path& run_folder) {
   } else if (ended == "failed") {
     state.status = Status::failed;
     state.message = text_in(run, "message");
+  } else if (attempt->exit_code == 0 && run.is_null()) {
+    state = {Status::finished, 0, {}};  // a study's row, which has no run.json
   } else if (attempt->exit_code && *attempt->exit_code != 0 && !asked_to_stop(*attempt)) {
     state.status = Status::failed;
   }

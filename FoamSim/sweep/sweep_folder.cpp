@@ -14,9 +14,14 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 Sweep sweep_in(const fs::path& folder, Grid grid) {
+  std::vector<PlannedRun> runs = plan_runs(grid);
+  return sweep_in(folder, std::move(grid), std::move(runs));
+}
+
+Sweep sweep_in(const fs::path& folder, Grid grid, std::vector<PlannedRun> runs) {
   if (fs::exists(folder / "sweep.json")) {
     Sweep sweep = read_sweep(folder);
-    if (sweep.grid != grid)
+    if (sweep.grid != grid || sweep.runs != runs)
       throw base::InputError(folder.string() + " holds the sweep of another grid; give another folder with --out");
     return sweep;
   }
@@ -24,7 +29,6 @@ Sweep sweep_in(const fs::path& folder, Grid grid) {
     throw base::InputError(folder.string() + " is a file; the output has to go to a folder");
   if (fs::exists(folder / "run.json"))
     throw base::InputError(folder.string() + " holds a run; give another folder with --out");
-  std::vector<PlannedRun> runs = plan_runs(grid);
   return {fs::absolute(folder).lexically_normal(), std::move(grid), std::move(runs)};
 }
 
@@ -35,7 +39,8 @@ Sweep read_sweep(const fs::path& folder) {
   try {
     const json value = json::parse(in);
     Sweep sweep{fs::absolute(folder).lexically_normal(), grid_from_json(value.at("grid")), {}};
-    sweep.runs = plan_runs(sweep.grid);
+    for (const json& one : value.at("runs"))
+      sweep.runs.push_back({one.at("name").get<std::string>(), one.at("values").get<std::vector<std::string>>()});
     for (const json& one : value.at("submissions"))
       sweep.submissions.push_back({one.at("job_name").get<std::string>(), one.at("job").get<std::string>()});
     return sweep;
@@ -50,7 +55,7 @@ void write_sweep(const Sweep& sweep) {
   if (error) throw base::FileError("cannot make the folder " + sweep.folder.string() + ": " + error.message());
   ordered_json submissions = ordered_json::array(), runs = ordered_json::array();
   for (const Submission& one : sweep.submissions) submissions.push_back({{"job_name", one.job_name}, {"job", one.job}});
-  for (const PlannedRun& run : sweep.runs) runs.push_back(run.name);
+  for (const PlannedRun& run : sweep.runs) runs.push_back({{"name", run.name}, {"values", run.values}});
   const ordered_json value = {
       {"version", version}, {"grid", to_json(sweep.grid)}, {"submissions", submissions}, {"runs", runs}};
   base::AtomicFile file(sweep.record());

@@ -13,7 +13,7 @@ struct Submission {
   bool operator==(const Submission&) const = default;
 };
 
-/// A sweep and its folder: sweep.json (grid, names of the runs, submissions), runs/NAME/ and table.csv.
+/// A sweep and its folder: sweep.json (grid, runs, submissions), runs/NAME/ and table.csv.
 struct Sweep {
   std::filesystem::path folder;  ///< absolute
   Grid grid;
@@ -28,6 +28,8 @@ struct Sweep {
 /// The sweep of this grid in a folder: one that is there already goes on. Nothing is written. Throws base::InputError
 /// where the folder holds something else: another grid's sweep, or a run.
 Sweep sweep_in(const std::filesystem::path& folder, Grid grid);
+/// The same with the runs given, where not every combination is one.
+Sweep sweep_in(const std::filesystem::path& folder, Grid grid, std::vector<PlannedRun> runs);
 /// The sweep that a folder holds. Throws base::InputError where there is none.
 Sweep read_sweep(const std::filesystem::path& folder);
 /// Makes the folder and writes sweep.json, whole or not at all. Throws base::FileError.

@@ -17,18 +17,31 @@ namespace {
 
 constexpr const char* figures_of_run_json[] = {"ended", "last_step", "wall_seconds"};
 
-// The cells of the last row that is whole, by column; empty where there is none.
-std::map<std::string, std::string> last_row(const fs::path& file) {
+// The names of the columns, and the last row that is whole by column; both are empty where there is none.
+struct EndsOfTable {
+  std::vector<std::string> columns;
+  std::map<std::string, std::string> last;
+};
+
+EndsOfTable ends_of(const fs::path& file) {
   std::ifstream in(file);
   std::string line;
   if (!std::getline(in, line)) return {};
-  const std::vector<std::string> columns = base::csv_cells_of(line);
+  EndsOfTable ends{base::csv_cells_of(line), {}};
   std::vector<std::string> last;
   while (std::getline(in, line) && !in.eof())
-    if (auto cells = base::csv_cells_of(line); cells.size() == columns.size()) last = std::move(cells);
-  std::map<std::string, std::string> row;
-  for (std::size_t i = 0; i < last.size(); ++i) row[columns[i]] = last[i];
-  return row;
+    if (auto cells = base::csv_cells_of(line); cells.size() == ends.columns.size()) last = std::move(cells);
+  for (std::size_t i = 0; i < last.size(); ++i) ends.last[ends.columns[i]] = last[i];
+  return ends;
+}
+
+// What a run's table has; of a study this is known once a run has written it.
+std::vector<std::string> figures_of(const Sweep& sweep) {
+  if (sweep.grid.study.empty()) return base::csv_cells_of(metrics_header());
+  for (std::size_t run = 0; run < sweep.runs.size(); ++run)
+    if (auto columns = ends_of(sweep.run_folder(run) / table_of_run(sweep.grid)).columns; !columns.empty())
+      return columns;
+  return {};
 }
 
 void add_run_json(const fs::path& file, base::CsvCells& cells) {
@@ -47,7 +60,7 @@ void add_run_json(const fs::path& file, base::CsvCells& cells) {
 }  // namespace
 
 void write_table(const Sweep& sweep, const std::vector<RunState>& states) {
-  const std::vector<std::string> figures = base::csv_cells_of(metrics_header());
+  const std::vector<std::string> figures = figures_of(sweep);
   base::CsvCells header;
   header.add(std::string("run"));
   for (const Axis& axis : sweep.grid.axes) header.add(axis.key);
@@ -65,7 +78,7 @@ void write_table(const Sweep& sweep, const std::vector<RunState>& states) {
     cells.add(state.exit_code ? std::to_string(*state.exit_code) : std::string());
     cells.add(state.message);
     add_run_json(sweep.run_folder(run) / "run.json", cells);
-    const auto row = last_row(sweep.run_folder(run) / "metrics.csv");
+    const auto row = ends_of(sweep.run_folder(run) / table_of_run(sweep.grid)).last;
     for (const std::string& figure : figures) {
       const auto cell = row.find(figure);
       cells.add(cell == row.end() ? std::string() : cell->second);

@@ -16,31 +16,19 @@
 namespace foamsim {
 namespace {
 
-struct AskedRun {
-  long n;
-  std::string area, integrator;
-  double dt;
-  std::string label() const { return area + " N = " + std::to_string(n) + " " + integrator; }
-};
-
-std::vector<AskedRun> combinations(const AccuracyOptions& o) {
-  std::vector<AskedRun> all;
-  for (long n : o.sizes)
-    for (const std::string& area : o.areas)
-      for (const std::string& integrator : o.integrators)
-        for (double dt : o.steps_of_time) all.push_back({n, area, integrator, dt});
-  return all;
+std::string label_of(const AccuracyCombination& c) {
+  return c.area + " N = " + std::to_string(c.n) + " " + c.integrator;
 }
 
 // Roughly what a combination costs: each step's velocities take the square of the number of triangles, about 4N², and
 // the rest is linear in it.
-double weight_of(const AskedRun& c) {
+double weight_of(const AccuracyCombination& c) {
   const double triangles = 4.0 * static_cast<double>(c.n * c.n);
   const double evaluations = c.integrator == "rk4" ? 4 : 1;
   return triangles * (1 + evaluations * triangles / 8000) / c.dt;
 }
 
-Scene scene_of(const AskedRun& c, const AccuracyOptions& o) {
+Scene scene_of(const AccuracyCombination& c, const AccuracyOptions& o) {
   Scene scene = built_in_scene("doublebubble");
   const char* where = "accuracy study";
   scene.options.set("n", c.n, where);
@@ -74,7 +62,7 @@ void add_stages(const base::StageTimes& step, base::StageTimes& sum) {
 
 class AccuracyRun {
  public:
-  AccuracyRun(const AskedRun& c, const AccuracyOptions& options)
+  AccuracyRun(const AccuracyCombination& c, const AccuracyOptions& options)
       : options_(options),
         scene_(scene_of(c, options)),
         simulation_(make_simulation(scene_)),
@@ -140,6 +128,15 @@ class AccuracyRun {
 
 }  // namespace
 
+std::vector<AccuracyCombination> combinations(const AccuracyOptions& o) {
+  std::vector<AccuracyCombination> all;
+  for (long n : o.sizes)
+    for (const std::string& area : o.areas)
+      for (const std::string& integrator : o.integrators)
+        for (double dt : o.steps_of_time) all.push_back({n, area, integrator, dt});
+  return all;
+}
+
 void validate(const AccuracyOptions& o) {
   require(!o.areas.empty() && !o.sizes.empty() && !o.integrators.empty() && !o.steps_of_time.empty(),
           "accuracy study: one strategy, size, integrator and dt, or more of each, have to be given");
@@ -156,13 +153,13 @@ std::vector<AccuracyRow> study_accuracy(const AccuracyOptions& options, const Ac
   validate(options);
   const auto all = combinations(options);
   double weight = 0, done = 0;
-  for (const AskedRun& c : all) weight += weight_of(c);
+  for (const AccuracyCombination& c : all) weight += weight_of(c);
   std::vector<AccuracyRow> rows;
-  for (const AskedRun& c : all) {
+  for (const AccuracyCombination& c : all) {
     AccuracyRun run(c, options);
     std::function<void(double)> progress;
     if (hooks.progress)
-      progress = [&](double part) { hooks.progress(c.label(), (done + part * weight_of(c)) / weight); };
+      progress = [&](double part) { hooks.progress(label_of(c), (done + part * weight_of(c)) / weight); };
     if (!run.go(progress, hooks.interrupted)) break;
     rows.push_back(run.measured());
     if (hooks.row) hooks.row(rows.back());

@@ -22,6 +22,16 @@ struct AccuracyOptions {
 /// Throws base::InputError for empty lists, unknown names and numbers out of range.
 void validate(const AccuracyOptions& options);
 
+/// What a row is of.
+struct AccuracyCombination {
+  long n = 0;  ///< of the double bubble
+  std::string area, integrator;
+  double dt = 0;  ///< T
+};
+
+/// Every combination of the lists, coarse ones first: a row each.
+std::vector<AccuracyCombination> combinations(const AccuracyOptions& options);
+
 /// One double bubble, from the report's start shape until it is at rest (RestDetector) or out of time.
 struct AccuracyRow {
   std::string area;
@@ -47,8 +57,8 @@ struct AccuracyHooks {
   std::function<bool()> interrupted;                                        ///< asked after every step
 };
 
-/// Every combination of the lists, coarse ones first. Ends early when interrupted, without the row of the run that was
-/// going on. Validates first.
+/// Every combination in turn. Ends early when interrupted, without the row of the run that was going on. Validates
+/// first.
 std::vector<AccuracyRow> study_accuracy(const AccuracyOptions& options, const AccuracyHooks& hooks = {});
 
 }  // namespace foamsim

@@ -37,7 +37,7 @@ double weight_of(const StabilityCase& what, const CaseSetup& setup) {
   return static_cast<double>(steps) * static_cast<double>(what.typical_triangles);
 }
 
-std::vector<Combination> combinations(const StabilityOptions& o) {
+std::vector<Combination> set_up(const StabilityOptions& o) {
   std::vector<Combination> all;
   for (const StabilityCase& what : stability_cases()) {
     const bool named = std::ranges::find(o.cases, what.name) != o.cases.end();
@@ -76,6 +76,12 @@ StabilityRow row_of(const StabilityCase& what, const CaseSetup& setup, const std
 
 }  // namespace
 
+std::vector<StabilityCombination> combinations(const StabilityOptions& o) {
+  std::vector<StabilityCombination> all;
+  for (const Combination& c : set_up(o)) all.push_back({std::string(c.what->name), c.setup.area, c.setup.remeshing});
+  return all;
+}
+
 void validate(const StabilityOptions& o) {
   for (const std::string& name : o.cases) stability_case_by_name(name);
   for (const std::string& area : o.areas) require_method(*built_in_catalogue(), area);
@@ -110,7 +116,7 @@ std::optional<StabilityRow> run_stability_case(const StabilityCase& what, const 
 
 std::vector<StabilityRow> study_stability(const StabilityOptions& options, const StabilityHooks& hooks) {
   validate(options);
-  const auto all = combinations(options);
+  const auto all = set_up(options);
   double weight = 0, done = 0;
   for (const Combination& c : all) weight += c.weight;
   std::vector<StabilityRow> rows;

@@ -32,6 +32,15 @@ struct StabilityRow {
 /// Throws base::InputError for unknown names, options out of range, and such as one of the strategies does not use.
 void validate(const StabilityOptions& options);
 
+/// What a row is of.
+struct StabilityCombination {
+  std::string name, area;  ///< area: of the options, also where no strategy acts
+  bool remeshing = true;
+};
+
+/// Every case with every strategy and remeshing that it is for: a row each. The options are valid.
+std::vector<StabilityCombination> combinations(const StabilityOptions& options);
+
 struct StabilityHooks {
   std::function<void(const StabilityRow&)> row;                             ///< after every combination
   std::function<void(const std::string& label, double fraction)> progress;  ///< of the whole study, after every step
@@ -42,8 +51,8 @@ struct StabilityHooks {
 std::optional<StabilityRow> run_stability_case(const StabilityCase& what, const CaseSetup& setup, double most_seconds,
                                                const RecordHooks& hooks);
 
-/// Every case with every strategy and remeshing that it is for. Ends early when interrupted, without the row of the
-/// combination that was being run. Validates first.
+/// Every combination in turn. Ends early when interrupted, without the row of the one that was being run. Validates
+/// first.
 std::vector<StabilityRow> study_stability(const StabilityOptions& options, const StabilityHooks& hooks = {});
 
 }  // namespace foamsim

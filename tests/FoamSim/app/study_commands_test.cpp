@@ -40,6 +40,45 @@ TEST(StudyAccuracy, WritesARowForEachRunAndItsPlots) {
   EXPECT_EQ(run_foamsim(std::string("study accuracy --force") + tiny + (scratch / "a")).exit_code, 0);
 }
 
+const char* const two_rows =
+    "study accuracy --areas naive,averaged --sizes 8 --integrators euler --dt 0.04 --time 0.4 --no-evolver --quiet "
+    "--out ";
+
+TEST(StudyOfSeveralRows, MakesOnlyTheRowsThatItDoesNotHave) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "a", row = out + "/runs/sizes=8_areas=naive_integrators=euler_dt=0.04";
+  ASSERT_EQ(run_foamsim(two_rows + out).exit_code, 0);
+  const auto rows = table(out + "/accuracy.csv");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1][0], "naive");
+  EXPECT_EQ(rows[2][0], "averaged");
+  // The seconds would differ if a row were made again.
+  fs::remove(out + "/accuracy.csv");
+  ASSERT_EQ(run_foamsim(two_rows + out).exit_code, 0);
+  EXPECT_EQ(table(out + "/accuracy.csv"), rows);
+  fs::remove_all(row);
+  ASSERT_EQ(run_foamsim(two_rows + out).exit_code, 0);
+  EXPECT_EQ(table(out + "/accuracy.csv")[2], rows[2]);
+  EXPECT_NE(table(out + "/accuracy.csv")[1], rows[1]);
+  EXPECT_EQ(run_foamsim(std::string("study accuracy") + tiny + out).exit_code, 2) << "it holds another study";
+}
+
+TEST(StudyOfSeveralRows, IsASweepThatIsMadeElsewhere) {
+  const ScratchFolder scratch;
+  const std::string out = scratch / "a";
+  ASSERT_EQ(run_foamsim(std::string(two_rows) + out + " --plan").exit_code, 0);
+  EXPECT_TRUE(fs::is_empty(out + "/runs"));
+  const ProgramResult list = run_foamsim("sweep --list --out " + out);
+  EXPECT_EQ(std::ranges::count(list.out, '\n'), 2) << list.out;
+  ASSERT_EQ(run_foamsim("sweep --quiet --out " + out).exit_code, 0);
+  const auto rows = table(out + "/table.csv");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_NE(std::ranges::find(rows[0], "last.area_error"), rows[0].end());
+  const ProgramResult gathered = run_foamsim(two_rows + out);
+  EXPECT_EQ(gathered.exit_code, 0) << gathered.error;
+  EXPECT_EQ(table(out + "/accuracy.csv").size(), 3U);
+}
+
 TEST(StudyStability, PrintsVerdictsAndGoesOnAfterFailures) {
   const ScratchFolder scratch;
   const ProgramResult result = run_foamsim(

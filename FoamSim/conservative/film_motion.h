@@ -14,9 +14,10 @@ namespace foamsim {
 /// how much energy is in it, and the force that moving the mesh at constant φ would take.
 class FilmMotion {
  public:
-  /// `delta`: δ > 0, L. `pairs`: sums over pairs of triangles, not null.
+  /// `delta`: δ > 0, L. `pairs`: sums over pairs of triangles, not null; motions that are evaluated in turn can share
+  /// it, and one whose triangles stay where they were for another goes on with the other's clusters.
   FilmMotion(double delta, const NearField& near,
-             std::unique_ptr<PairSummation> pairs = std::make_unique<DirectPairSums>())
+             std::shared_ptr<PairSummation> pairs = std::make_shared<DirectPairSums>())
       : delta_(delta), near_(near), pairs_(std::move(pairs)) {}
 
   /// Evaluates the sums. `phi`: by entry, L²/T; `positions`: by vertex slot. `terms` is `potential` when only fluxes
@@ -45,7 +46,7 @@ class FilmMotion {
  private:
   double delta_;
   NearField near_;
-  std::unique_ptr<PairSummation> pairs_;
+  std::shared_ptr<PairSummation> pairs_;
   VortexSources sources_;
   PairSums sums_;
   std::vector<std::array<double, 3>> corner_circulation_;

@@ -12,7 +12,7 @@ using lostopos::Vec3;
 
 LocalResponse::LocalResponse(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
                              double delta, const NearField& near)
-    : films_(films), shape_(shape), positions_(positions), near_(near) {
+    : films_(films), shape_(shape), positions_(positions), near_(near), unit_(std::numbers::inv_pi / (4 * delta)) {
   constexpr double reach = 4;        // in δ
   constexpr std::size_t most = 200;  // triangles within that, on average
   const double farthest = reach * delta;
@@ -27,7 +27,7 @@ LocalResponse::LocalResponse(const FilmConnectivity& films, const FilmShape& sha
     for (std::size_t i = pairs_.first[t]; i < pairs_.first[t + 1]; ++i) {
       const double square = (middles[pairs_.other[i]] - middles[t]).squaredNorm();
       const double weight = std::max(0.0, 1 - std::sqrt(square) / farthest);
-      kernel_[i] = std::numbers::inv_pi / 4 * weight * weight / std::sqrt(square + delta * delta);
+      kernel_[i] = static_cast<float>(weight * weight / std::sqrt(square / (delta * delta) + 1));
     }
   });
 }
@@ -46,8 +46,9 @@ void LocalResponse::evaluate(std::span<const Vec3> force, std::vector<Vec3>& vel
   potential_.resize(strength_.size());
   base::parallel_for_each(strength_.size(), film_grain, [&](std::size_t t) {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = pairs_.first[t]; i < pairs_.first[t + 1]; ++i) sum += kernel_[i] * strength_[pairs_.other[i]];
-    potential_[t] = sum;
+    for (std::size_t i = pairs_.first[t]; i < pairs_.first[t + 1]; ++i)
+      sum += double{kernel_[i]} * strength_[pairs_.other[i]];
+    potential_[t] = unit_ * sum;
   });
   near_.add_potential(films_, shape_, strength_, potential_);
   collect_fluxes(films_, positions_, potential_, flux_);

@@ -28,7 +28,9 @@ class LocalResponse {
   std::span<const lostopos::Vec3> positions_;
   NearField near_;
   ClosePairs pairs_;
-  std::vector<double> kernel_, pressure_, flux_;
+  double unit_;                // of the kernel, 1/L
+  std::vector<float> kernel_;  // singles, since it is the most of this in memory; they are as symmetric
+  std::vector<double> pressure_, flux_;
   std::vector<lostopos::Vec3> strength_, potential_, still_;
 };
 

@@ -23,8 +23,9 @@ double Conservative::attach(lostopos::SurfaceMesh& mesh, const DynamicsStart& st
   // A vertex has a third of six equilateral triangles, at a border of three in each film.
   const double regular = std::sqrt(3.0) / 4 * start.resolution * start.resolution;
   if (options_.near_field) near_ = NearField(delta_, 0.5 * regular);
-  motion_.emplace(delta_, near_, summation_->pair_sums(options_.precision));
-  change_.emplace(delta_, near_, summation_->pair_sums(options_.precision));
+  const std::shared_ptr<PairSummation> pairs = summation_->pair_sums(options_.precision);
+  motion_.emplace(delta_, near_, pairs);
+  change_.emplace(delta_, near_, pairs);
   driven_.emplace(delta_, near_);
   viscosity_.emplace(options_.viscosity);
   potential_.emplace(mesh, options_.conserving_transfers);

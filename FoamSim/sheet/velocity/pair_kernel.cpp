@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include "FoamSim/sheet/velocity/inverse_root-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace foamsim::HWY_NAMESPACE {
 namespace {
@@ -83,6 +85,14 @@ HWY_INLINE void add_cross(Real* place, Vec a, Vec b, Vec c, Vec e) {
   hn::Store(cross_and(hn::Load(d, place), a, b, c, e), d, place);
 }
 
+// a / √x, x > 0.
+HWY_INLINE VecOf<double> over_root(VecOf<double> a, VecOf<double> x) {
+  return hn::Div(a, hn::Sqrt(x));
+}
+HWY_INLINE VecOf<float> over_root(VecOf<float> a, VecOf<float> x) {
+  return hn::Mul(a, inverse_root(Lanes<float>(), x));
+}
+
 // The pairs of t with the lanes of s: to the lanes' sums, and lane by lane to t's (`own`, kChunk apart; forces with the
 // other sign). Arithmetic is what takes the time (the root and the division hide behind it), and fused it is less.
 template <bool all, class Real, class Vec>
@@ -91,7 +101,7 @@ HWY_INLINE void add_pairs(const Bodies<Vec>& t, const Bodies<Vec>& s, Vec delta2
   constexpr std::size_t chunk = kChunk<Real>;
   const Vec dx = hn::Sub(t.x, s.x), dy = hn::Sub(t.y, s.y), dz = hn::Sub(t.z, s.z);
   const Vec r2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::MulAdd(dz, dz, delta2)));
-  const Vec inverse = hn::Div(counts, hn::Sqrt(r2));
+  const Vec inverse = over_root(counts, r2);
   add_product(own, s.gx, inverse);
   add_product(own + chunk, s.gy, inverse);
   add_product(own + 2 * chunk, s.gz, inverse);

@@ -6,6 +6,8 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include "FoamSim/sheet/velocity/inverse_root-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace foamsim::HWY_NAMESPACE {
 namespace {
@@ -28,14 +30,6 @@ struct Sums {
   Vec v[9];
 };
 
-// 1/ρ, 0 where ρ is: a root and a division, which every machine rounds alike.
-template <class Real, class Vec>
-HWY_INLINE Vec inverse_distance(Vec square) {
-  const Lanes<Real> d;
-  const Vec inverse = hn::Div(hn::Set(d, Real{1}), hn::Sqrt(square));
-  return hn::IfThenElseZero(hn::Gt(square, hn::Zero(d)), inverse);
-}
-
 template <class Vec>
 HWY_INLINE Vec cross(Vec sum, Vec a, Vec b, Vec c, Vec e) {
   return hn::NegMulAdd(c, e, hn::MulAdd(a, b, sum));
@@ -47,7 +41,7 @@ HWY_INLINE void add_pair(const Body<Vec>& t, const TreeBodies<Real>& s, std::siz
   const Vec dx = hn::Sub(t.x, hn::Set(d, s.x[i])), dy = hn::Sub(t.y, hn::Set(d, s.y[i])),
             dz = hn::Sub(t.z, hn::Set(d, s.z[i]));
   const Vec gx = hn::Set(d, s.gx[i]), gy = hn::Set(d, s.gy[i]), gz = hn::Set(d, s.gz[i]);
-  const Vec inverse = inverse_distance<Real>(hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::MulAdd(dz, dz, delta2))));
+  const Vec inverse = inverse_root(d, hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::MulAdd(dz, dz, delta2))));
   constexpr std::size_t u = terms == TreeTerms::all ? 3 : 0;
   if constexpr (terms != TreeTerms::velocity) {
     sums.v[0] = hn::MulAdd(gx, inverse, sums.v[0]);

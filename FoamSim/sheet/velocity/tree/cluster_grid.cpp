@@ -3,6 +3,7 @@
 #include <array>
 
 #include "Base/parallel/for_each.h"
+#include "FoamSim/sheet/velocity/tree/contract.h"
 #include "FoamSim/sheet/velocity/tree/leaf_grid.h"
 
 namespace foamsim {
@@ -10,8 +11,6 @@ namespace foamsim {
 using lostopos::Vec3;
 
 namespace {
-
-constexpr std::size_t most_plane = most_nodes * most_nodes, most_grid = most_plane * most_nodes;
 
 // L_k of the parent's nodes at the child's, by axis: [axis][child's][parent's].
 using Transfer = std::array<std::array<Chebyshev::Values, most_nodes>, 3>;
@@ -29,56 +28,22 @@ Transfer transfer(const Cluster& parent, const Cluster& child, const Chebyshev& 
   return matrix;
 }
 
-// out[i][j] = Σ_k m(i, k) in[k][j] for n × n matrices and `width` columns, three times, each time with the axes turned:
-// all three axes of a grid.
-template <class Real, class Matrix>
-void contract(const Real* in, std::size_t n, const Matrix& m, Real* out) {
-  std::array<Real, most_grid> first{}, second{};
-  const std::size_t plane = n * n;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k) {
-      const Real weight = static_cast<Real>(m(0, i, k));
-      for (std::size_t j = 0; j < plane; ++j) first[i * plane + j] += weight * in[k * plane + j];
-    }
-  for (std::size_t x = 0; x < n; ++x)
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k < n; ++k) {
-        const Real weight = static_cast<Real>(m(1, i, k));
-        for (std::size_t j = 0; j < n; ++j) second[(x * n + i) * n + j] += weight * first[(x * n + k) * n + j];
-      }
-  for (std::size_t row = 0; row < plane; ++row)
-    for (std::size_t k = 0; k < n; ++k) {
-      const Real value = second[row * n + k];
-      for (std::size_t i = 0; i < n; ++i) out[row * n + i] += static_cast<Real>(m(2, i, k)) * value;
-    }
-}
-
 }  // namespace
 
-template <class Real>
-GridPoints<Real>::GridPoints(const ClusterTree& tree, const Chebyshev& nodes, double length)
-    : size_(grid_size(nodes)), half_(tree.clusters().size(), HalfSides{1, 1, 1}) {
-  const std::size_t clusters = tree.clusters().size(), n = nodes.size();
-  for (TreeArray<Real>* array : {&x_, &y_, &z_}) array->assign(clusters * size_ + tree_lanes, Real{0});
-  base::parallel_for_each(clusters, 16, [&](std::size_t i) {
-    const Vec3 half = tree[static_cast<std::uint32_t>(i)].half / length;
+std::vector<HalfSides> half_sides(const ClusterTree& tree, double length) {
+  std::vector<HalfSides> sides(tree.clusters().size(), HalfSides{1, 1, 1});
+  for (std::size_t c = 0; c < sides.size(); ++c)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const double side = half[static_cast<Eigen::Index>(axis)]; side > 0) half_[i][axis] = side;
-    std::size_t at = i * size_;
-    for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b)
-        for (std::size_t c = 0; c < n; ++c, ++at) {
-          x_[at] = static_cast<Real>(half.x() * nodes.node(a));
-          y_[at] = static_cast<Real>(half.y() * nodes.node(b));
-          z_[at] = static_cast<Real>(half.z() * nodes.node(c));
-        }
-  });
+      if (const double side = tree.clusters()[c].half[static_cast<Eigen::Index>(axis)] / length; side > 0)
+        sides[c][axis] = side;
+  return sides;
 }
 
 template <class Real>
-void gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const TreeBodies<Real>& points,
+void gather_charges(const ClusterTree& tree, std::span<const HalfSides> half, const TreeBodies<Real>& points,
                     const Chebyshev& nodes, TreeArray<Real>& charges) {
   const std::size_t size = grid_size(nodes);
+  const GridShape shape{nodes.size(), nodes.size(), nodes.size()};
   charges.assign(3 * size * tree.clusters().size(), Real{0});
   const auto levels = tree.levels();
   for (std::size_t level = levels.size() - 1; level-- > 0;)
@@ -89,7 +54,7 @@ void gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const
         Real* own = charges.data() + 3 * size * c;
         if (cluster.leaf()) {
           const std::uint32_t b = cluster.begin;
-          add_leaf_charges(grid.halves(c),
+          add_leaf_charges(half[c],
                            TreeBodies<Real>{points.x + b, points.y + b, points.z + b, points.gx + b, points.gy + b,
                                             points.gz + b, cluster.size()},
                            nodes, own);
@@ -99,8 +64,8 @@ void gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const
           const Transfer matrix = transfer(cluster, tree[child], nodes);
           for (std::size_t part = 0; part < 3; ++part)
             contract(
-                charges.data() + 3 * size * child + part * size, nodes.size(),
-                [&](std::size_t axis, std::size_t parent, std::size_t k) { return matrix[axis][k][parent]; },
+                charges.data() + 3 * size * child + part * size, shape,
+                [&](std::size_t axis, std::size_t parent, std::size_t k) { return matrix[axis][k][parent]; }, shape,
                 own + part * size);
         }
       }
@@ -109,6 +74,7 @@ void gather_charges(const ClusterTree& tree, const GridPoints<Real>& grid, const
 
 void spread_to_children(const ClusterTree& tree, const Chebyshev& nodes, std::span<double> potentials) {
   const std::size_t size = grid_size(nodes);
+  const GridShape shape{nodes.size(), nodes.size(), nodes.size()};
   const auto levels = tree.levels();
   for (std::size_t level = 0; level + 1 < levels.size(); ++level)
     base::parallel_ranges(levels[level], levels[level + 1], 1, [&](std::size_t begin, std::size_t end) {
@@ -119,19 +85,17 @@ void spread_to_children(const ClusterTree& tree, const Chebyshev& nodes, std::sp
           const Transfer matrix = transfer(cluster, tree[child], nodes);
           for (std::size_t part = 0; part < 3; ++part)
             contract(
-                potentials.data() + 3 * size * i + part * size, nodes.size(),
-                [&](std::size_t axis, std::size_t k, std::size_t parent) { return matrix[axis][k][parent]; },
+                potentials.data() + 3 * size * i + part * size, shape,
+                [&](std::size_t axis, std::size_t k, std::size_t parent) { return matrix[axis][k][parent]; }, shape,
                 potentials.data() + 3 * size * child + part * size);
         }
       }
     });
 }
 
-template class GridPoints<double>;
-template class GridPoints<float>;
-template void gather_charges(const ClusterTree&, const GridPoints<double>&, const TreeBodies<double>&, const Chebyshev&,
-                             TreeArray<double>&);
-template void gather_charges(const ClusterTree&, const GridPoints<float>&, const TreeBodies<float>&, const Chebyshev&,
+template void gather_charges(const ClusterTree&, std::span<const HalfSides>, const TreeBodies<double>&,
+                             const Chebyshev&, TreeArray<double>&);
+template void gather_charges(const ClusterTree&, std::span<const HalfSides>, const TreeBodies<float>&, const Chebyshev&,
                              TreeArray<float>&);
 
 }  // namespace foamsim

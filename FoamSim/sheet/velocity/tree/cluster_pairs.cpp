@@ -17,7 +17,7 @@ bool opens_first(const ClusterTree& targets, const ClusterTree& sources, const P
 
 }  // namespace
 
-ClusterPairs::ClusterPairs(const ClusterTree& targets, const ClusterTree& sources, double openness)
+ClusterPairs::ClusterPairs(const ClusterTree& targets, const ClusterTree& sources, const PairOrders& orders)
     : far(targets.clusters().size()), near(targets.clusters().size()) {
   if (targets.clusters().empty() || sources.clusters().empty()) return;
   std::vector<Pair> open{{0, 0}};
@@ -25,8 +25,10 @@ ClusterPairs::ClusterPairs(const ClusterTree& targets, const ClusterTree& source
     const Pair pair = open.back();
     open.pop_back();
     const Cluster &t = targets[pair.first], &s = sources[pair.second];
-    if (t.radius + s.radius <= openness * (t.middle - s.middle).norm()) {
-      far[pair.first].push_back(pair.second);
+    const double radii = t.radius + s.radius, distance = (t.middle - s.middle).norm();
+    if (radii <= orders.most_open() * distance) {
+      const double share = distance > 0 ? radii / distance : 0;
+      far[pair.first].push_back({pair.second, static_cast<std::uint32_t>(orders.order(share))});
     } else if (t.leaf() && s.leaf()) {
       near[pair.first].push_back(pair.second);
     } else if (&t == &s) {

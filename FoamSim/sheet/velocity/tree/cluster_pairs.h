@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "FoamSim/sheet/velocity/tree/cluster_tree.h"
+#include "FoamSim/sheet/velocity/tree/pair_orders.h"
 
 namespace foamsim {
 
@@ -11,10 +12,15 @@ namespace foamsim {
 /// meets one by one. Every pair of points is in exactly one pair of clusters. With the same tree on both sides the
 /// pairs are mutual.
 struct ClusterPairs {
-  std::vector<std::vector<std::uint32_t>> far, near;
+  struct Far {
+    std::uint32_t source;
+    std::uint32_t order;  ///< of the grids, as PairOrders counts them
+  };
+  std::vector<std::vector<Far>> far;
+  std::vector<std::vector<std::uint32_t>> near;
 
-  /// Far: the balls' radii are no more than `openness` (0 to 1) of their middles' distance.
-  ClusterPairs(const ClusterTree& targets, const ClusterTree& sources, double openness);
+  /// Far: the balls' radii are no more than most_open() of their middles' distance.
+  ClusterPairs(const ClusterTree& targets, const ClusterTree& sources, const PairOrders& orders);
 };
 
 }  // namespace foamsim

@@ -9,6 +9,7 @@
 #include "FoamSim/sheet/velocity/tree/cluster_grid.h"
 #include "FoamSim/sheet/velocity/tree/cluster_pairs.h"
 #include "FoamSim/sheet/velocity/tree/leaf_grid.h"
+#include "FoamSim/sheet/velocity/tree/pair_grid.h"
 
 namespace foamsim {
 
@@ -81,14 +82,17 @@ struct Side {
   ClusterTree tree;
   Places<Near> near;
   Places<Far> far;
-  GridPoints<Far> grid;
+  std::vector<HalfSides> half;
+  std::vector<PairGrids<Far>> grids;  // by order
 
   // Leaves have as many points as a grid: others, smaller and larger ones, win nothing.
-  Side(std::span<const Vec3> points, const Chebyshev& nodes, double length)
+  Side(std::span<const Vec3> points, const Chebyshev& nodes, const PairOrders& orders, double length)
       : tree(points, grid_size(nodes)),
         near(tree, points, length),
         far(tree, points, length),
-        grid(tree, nodes, length) {}
+        half(half_sides(tree, length)) {
+    for (std::size_t order = 0; order < orders.count(); ++order) grids.emplace_back(tree, orders, order, length);
+  }
 };
 
 template <class Near, class Far>
@@ -97,17 +101,20 @@ class PlanOf final : public TreePlan {
   PlanOf(const VortexSources& sources, const std::span<const Vec3>* targets, double delta, const TreeAccuracy& accuracy)
       : TreePlan(sources, targets, delta, accuracy),
         nodes_(accuracy.nodes),
+        orders_(accuracy),
+        transfers_(nodes_),
         length_(unit_of_length(points_, delta)),
-        from_(points_, nodes_, length_) {
-    if (targets_) own_.emplace(*targets_, nodes_, length_);
-    pairs_.emplace(to().tree, from_.tree, accuracy.openness);
+        from_(points_, nodes_, orders_, length_) {
+    if (targets_) own_.emplace(*targets_, nodes_, orders_, length_);
+    pairs_.emplace(to().tree, from_.tree, orders_);
   }
 
   void sum(const VortexSources& sources, TreeTerms terms, const base::Ranks& ranks, PairSums& result) override {
     const double strength = unit_of_strength(sources);
     from_.near.take_strengths(from_.tree, sources, strength);
     from_.far.take_strengths(from_.tree, sources, strength);
-    gather_charges(from_.tree, from_.grid, from_.far.of(Cluster()), nodes_, charges_);
+    gather_charges<Far>(from_.tree, from_.half, from_.far.of(Cluster()), nodes_, charges_);
+    for (PairGrids<Far>& grids : from_.grids) grids.lower_charges(transfers_, charges_);
     potentials_.assign(to().tree.clusters().size() * 3 * grid_size(nodes_), 0.0);
     out_.assign(components(terms) * stride(), 0.0);
     const Share own = share(ranks);
@@ -131,15 +138,14 @@ class PlanOf final : public TreePlan {
     if (ranks.size() == 1) return {0, count};
     std::vector<double> until{0};
     for (std::size_t t = 0; t < count; ++t) {
-      const auto met = [this](const auto& met) {
-        double points = 0;
-        for (std::uint32_t s : met)
-          points += static_cast<double>(std::min<std::size_t>(from_.tree[s].size(), grid_size(nodes_)));
-        return points;
-      };
-      const double own = static_cast<double>(to().tree[static_cast<std::uint32_t>(t)].size());
-      const double as_grid = std::min(own, static_cast<double>(grid_size(nodes_)));
-      until.push_back(until.back() + own * met(pairs_->near[t]) + as_grid * met(pairs_->far[t]));
+      const auto c = static_cast<std::uint32_t>(t);
+      double met = 0;
+      for (std::uint32_t s : pairs_->near[t]) met += static_cast<double>(to().tree[c].size()) * from_.tree[s].size();
+      for (const ClusterPairs::Far& far : pairs_->far[t])
+        met += static_cast<double>(std::min<std::size_t>(to().tree[c].size(), to().grids[far.order].size(c))) *
+               static_cast<double>(
+                   std::min<std::size_t>(from_.tree[far.source].size(), from_.grids[far.order].size(far.source)));
+      until.push_back(until.back() + met);
     }
     const auto first = [&](std::size_t rank) {
       if (rank == ranks.size()) return count;
@@ -153,13 +159,14 @@ class PlanOf final : public TreePlan {
   std::size_t stride() const { return to().far.x.size(); }
   // A grid is met by potentials alone, single points by all terms, which is twice the work. Sources go by the same
   // rule, so that the operator is symmetric.
-  bool by_grid(const Cluster& c, TreeTerms terms) const {
-    return (terms == TreeTerms::potential ? 1 : 2) * c.size() > grid_size(nodes_);
+  static bool by_grid(const Side<Near, Far>& side, std::uint32_t c, std::size_t order, TreeTerms terms) {
+    const Cluster& cluster = side.tree[c];
+    return !cluster.leaf() || (terms == TreeTerms::potential ? 1 : 2) * cluster.size() > side.grids[order].size(c);
   }
 
-  TreeBodies<Far> source(std::uint32_t s, TreeTerms terms) const {
-    if (!by_grid(from_.tree[s], terms)) return from_.far.of(from_.tree[s]);
-    return from_.grid.bodies(s, charges_.data());
+  TreeBodies<Far> source(const ClusterPairs::Far& far, TreeTerms terms) const {
+    if (!by_grid(from_, far.source, far.order, terms)) return from_.far.of(from_.tree[far.source]);
+    return from_.grids[far.order].bodies(far.source);
   }
 
   std::array<double, 3> offset(const Cluster& target, std::uint32_t s) const {
@@ -168,23 +175,38 @@ class PlanOf final : public TreePlan {
   }
 
   void meet(const Share& own, TreeTerms terms) {
-    const std::size_t size = grid_size(nodes_);
     const double delta_squared = delta_ * delta_ / (length_ * length_);
     base::parallel_for_each(own.end - own.begin, 1, [&](std::size_t i) {
       const auto t = static_cast<std::uint32_t>(own.begin + i);
       const Cluster& cluster = to().tree[t];
       double* arrived = out_.data() + cluster.begin;
-      for (std::uint32_t s : pairs_->far[t])
-        if (by_grid(cluster, terms))
-          add_to_targets(to().grid.bodies(t, nullptr), source(s, terms), offset(cluster, s), delta_squared,
-                         TreeTerms::potential, potentials_.data() + 3 * size * t, size);
-        else
-          add_to_targets(to().far.of(cluster), source(s, terms), offset(cluster, s), delta_squared, terms, arrived,
-                         stride());
+      for (std::size_t order = 0; order < orders_.count(); ++order) meet_far(t, order, terms, delta_squared);
       for (std::uint32_t s : pairs_->near[t])
         add_to_targets(to().near.of(cluster), from_.near.of(from_.tree[s]), offset(cluster, s), delta_squared, terms,
                        arrived, stride());
     });
+  }
+
+  // Cluster t with all that it meets by grids of an order.
+  void meet_far(std::uint32_t t, std::size_t order, TreeTerms terms, double delta_squared) {
+    const Cluster& cluster = to().tree[t];
+    const PairGrids<Far>& grids = to().grids[order];
+    const bool as_grid = by_grid(to(), t, order, terms);
+    std::vector<double> potential;
+    for (const ClusterPairs::Far& far : pairs_->far[t]) {
+      if (far.order != order) continue;
+      const auto apart = offset(cluster, far.source);
+      if (!as_grid) {
+        add_to_targets(to().far.of(cluster), source(far, terms), apart, delta_squared, terms,
+                       out_.data() + cluster.begin, stride());
+        continue;
+      }
+      potential.resize(3 * grids.stride());
+      add_to_targets(grids.bodies(t), source(far, terms), apart, delta_squared, TreeTerms::potential, potential.data(),
+                     grids.stride());
+    }
+    if (!potential.empty())
+      grids.raise(transfers_, t, potential.data(), potentials_.data() + 3 * grid_size(nodes_) * t);
   }
 
   // From the leaves' grids to their points.
@@ -194,8 +216,8 @@ class PlanOf final : public TreePlan {
       const auto t = static_cast<std::uint32_t>(own.begin + i);
       const Cluster& cluster = side.tree[t];
       if (cluster.leaf())
-        add_interpolated(side.grid.halves(t), side.far.of(cluster), nodes_,
-                         potentials_.data() + 3 * grid_size(nodes_) * t, terms, out_.data() + cluster.begin, stride());
+        add_interpolated(side.half[t], side.far.of(cluster), nodes_, potentials_.data() + 3 * grid_size(nodes_) * t,
+                         terms, out_.data() + cluster.begin, stride());
     });
   }
 
@@ -215,6 +237,8 @@ class PlanOf final : public TreePlan {
   }
 
   Chebyshev nodes_;
+  PairOrders orders_;
+  GridTransfers transfers_;
   double length_;
   Side<Near, Far> from_;
   std::optional<Side<Near, Far>> own_;

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
 
 #include "FoamSim/sheet/velocity/tree/chebyshev.h"
 #include "FoamSim/sheet/velocity/tree/cluster_pairs.h"
+#include "FoamSim/sheet/velocity/tree/pair_grid.h"
 
 namespace foamsim {
 namespace {
@@ -81,15 +83,18 @@ TEST(ClusterTree, OfPointsInOnePlaceIsALeaf) {
 
 // How often each target meets each source.
 std::vector<int> meetings(const ClusterTree& targets, const ClusterTree& sources, double openness) {
-  const ClusterPairs pairs(targets, sources, openness);
+  const ClusterPairs pairs(targets, sources, PairOrders({.nodes = 6, .openness = openness}));
   const std::size_t n = sources.order().size();
   std::vector<int> count(targets.order().size() * n, 0);
-  for (std::uint32_t t = 0; t < targets.clusters().size(); ++t)
-    for (const auto* list : {&pairs.far[t], &pairs.near[t]})
-      for (std::uint32_t s : *list)
-        for (std::uint32_t i = targets[t].begin; i < targets[t].end; ++i)
-          for (std::uint32_t j = sources[s].begin; j < sources[s].end; ++j)
-            ++count[targets.order()[i] * n + sources.order()[j]];
+  const auto meet = [&](std::uint32_t t, std::uint32_t s) {
+    for (std::uint32_t i = targets[t].begin; i < targets[t].end; ++i)
+      for (std::uint32_t j = sources[s].begin; j < sources[s].end; ++j)
+        ++count[targets.order()[i] * n + sources.order()[j]];
+  };
+  for (std::uint32_t t = 0; t < targets.clusters().size(); ++t) {
+    for (const ClusterPairs::Far& far : pairs.far[t]) meet(t, far.source);
+    for (std::uint32_t s : pairs.near[t]) meet(t, s);
+  }
   return count;
 }
 
@@ -101,17 +106,122 @@ TEST(ClusterPairs, LetEachPairOfPointsMeetOnce) {
 
 TEST(ClusterPairs, OfATreeWithItselfAreMutual) {
   const ClusterTree tree(cloud(500, 3), 10);
-  const ClusterPairs pairs(tree, tree, 0.7);
+  const ClusterPairs pairs(tree, tree, PairOrders({.nodes = 6, .openness = 0.7}));
   std::size_t far = 0;
   for (std::uint32_t t = 0; t < tree.clusters().size(); ++t) {
     far += pairs.far[t].size();
-    for (std::uint32_t s : pairs.far[t]) {
-      EXPECT_EQ(std::ranges::count(pairs.far[s], t), 1);
+    for (const auto& [s, order] : pairs.far[t]) {
+      const auto back = std::ranges::find(pairs.far[s], t, &ClusterPairs::Far::source);
+      ASSERT_NE(back, pairs.far[s].end());
+      EXPECT_EQ(back->order, order) << "so that the operator is symmetric";
       EXPECT_LE(tree[t].radius + tree[s].radius, 0.7 * (tree[t].middle - tree[s].middle).norm());
     }
     for (std::uint32_t s : pairs.near[t]) EXPECT_EQ(std::ranges::count(pairs.near[s], t), 1);
   }
   EXPECT_GT(far, 100U);
+}
+
+TEST(PairOrders, FallWithDistanceAndAlongShortSides) {
+  const PairOrders orders({.nodes = 8, .openness = 0.65});
+  EXPECT_EQ(orders.nodes(orders.count() - 1), 8U);
+  EXPECT_EQ(orders.order(0.65), orders.count() - 1);
+  EXPECT_EQ(orders.nodes(orders.order(0)), 3U);
+  for (double openness = 0.01; openness < 0.65; openness += 0.01)
+    EXPECT_LE(orders.order(openness - 0.01), orders.order(openness));
+  for (std::size_t order = 0; order < orders.count(); ++order) {
+    const std::size_t most = orders.nodes(order);
+    EXPECT_EQ(orders.shape(order, Vec3(1, 1, 1)), (GridShape{most, most, most}));
+    const GridShape flat = orders.shape(order, Vec3(1, 0.1, 2));
+    EXPECT_EQ(flat[2], most);
+    EXPECT_LE(flat[0], most);
+    EXPECT_LE(flat[1], flat[0]);
+  }
+  EXPECT_LT(orders.shape(orders.count() - 1, Vec3(1, 0.1, 1))[1], 7U);
+}
+
+// The potential of random charges in one box at points of another by both grids, against the sum itself: relative to
+// the largest.
+double error_by_grids(const PairOrders& orders, double openness, const Vec3& half, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1, 1);
+  const double radius = half.norm();
+  const Vec3 apart = Vec3(value(random), value(random), value(random)).normalized() * 2 * radius / openness;
+  const GridShape shape = orders.shape(orders.order(openness), half);
+  const auto weight = [&](const Vec3& x, std::size_t a, std::size_t b, std::size_t c) {
+    double product = 1;
+    const std::array<std::size_t, 3> index{a, b, c};
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      Chebyshev::Values values{};
+      Chebyshev(shape[static_cast<std::size_t>(axis)]).values(x[axis] / half[axis], values);
+      product *= values[index[static_cast<std::size_t>(axis)]];
+    }
+    return product;
+  };
+  const auto place = [&](std::size_t a, std::size_t b, std::size_t c) -> Vec3 {
+    return half.cwiseProduct(
+        Vec3(Chebyshev(shape[0]).node(a), Chebyshev(shape[1]).node(b), Chebyshev(shape[2]).node(c)));
+  };
+  const auto each = [&](const auto& body) {
+    for (std::size_t a = 0; a < shape[0]; ++a)
+      for (std::size_t b = 0; b < shape[1]; ++b)
+        for (std::size_t c = 0; c < shape[2]; ++c) body(a, b, c);
+  };
+  double worst = 0, largest = 0;
+  for (int i = 0; i < 5; ++i) {
+    const auto point = [&] { return half.cwiseProduct(Vec3(value(random), value(random), value(random))).eval(); };
+    const Vec3 source = point(), target = point();
+    const double exact = 1 / (target + apart - source).norm();
+    double sum = 0;
+    each([&](std::size_t a, std::size_t b, std::size_t c) {
+      const double to = weight(target, a, b, c);
+      each([&](std::size_t d, std::size_t e, std::size_t f) {
+        sum += to * weight(source, d, e, f) / (place(a, b, c) + apart - place(d, e, f)).norm();
+      });
+    });
+    worst = std::max(worst, std::abs(sum - exact));
+    largest = std::max(largest, exact);
+  }
+  return worst / largest;
+}
+
+TEST(PairOrders, KeepTheErrorOfTheNearestPair) {
+  const PairOrders orders({.nodes = 6, .openness = 0.6});
+  for (const Vec3& half : {Vec3(1, 1, 1), Vec3(1, 1, 0.1), Vec3(1, 0.3, 0.1)}) {
+    double nearest = 0;
+    for (unsigned seed = 0; seed < 8; ++seed) nearest = std::max(nearest, error_by_grids(orders, 0.6, half, seed));
+    EXPECT_LT(nearest, 5e-4);
+    for (double openness : {0.5, 0.4, 0.3, 0.2, 0.1})
+      for (unsigned seed = 0; seed < 8; ++seed)
+        EXPECT_LT(error_by_grids(orders, openness, half, seed), 1e-3) << openness << " " << half.transpose();
+  }
+}
+
+TEST(GridTransfers, GoBackTheWayTheyCame) {
+  const Chebyshev nodes(6);
+  const GridTransfers transfers(nodes);
+  const PairOrders orders({.nodes = 6, .openness = 0.6});
+  const ClusterTree tree(cloud(40, 5), 40);
+  const std::size_t full = 216;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<double> charges(3 * full), raised(3 * full, 0.0);
+  for (double& q : charges) q = value(random);
+  for (std::size_t order = 0; order < orders.count(); ++order) {
+    PairGrids<double> grids(tree, orders, order, 1);
+    grids.lower_charges(transfers, charges);
+    std::vector<double> potential(3 * grids.stride());
+    for (double& p : potential) p = value(random);
+    std::ranges::fill(raised, 0.0);
+    grids.raise(transfers, 0, potential.data(), raised.data());
+    const TreeBodies<double> lowered = grids.bodies(0);
+    const std::array<const double*, 3> parts{lowered.gx, lowered.gy, lowered.gz};
+    double above = 0, below = 0;
+    for (std::size_t part = 0; part < 3; ++part) {
+      for (std::size_t i = 0; i < full; ++i) above += charges[part * full + i] * raised[part * full + i];
+      for (std::size_t i = 0; i < lowered.size; ++i) below += parts[part][i] * potential[part * grids.stride() + i];
+    }
+    EXPECT_NEAR(above, below, 1e-11) << order;
+  }
 }
 
 }  // namespace

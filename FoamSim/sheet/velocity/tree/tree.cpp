@@ -33,7 +33,7 @@ std::size_t few_for_velocities(const TreeOptions& options) {
 }
 
 std::size_t few_for_pairs(const TreeOptions& options) {
-  return size_of_leaves(options, 60);
+  return size_of_leaves(options, 48);
 }
 
 void TreeBiotSavart::velocities(const VortexSources& sources, std::span<const Vec3> targets, double delta,

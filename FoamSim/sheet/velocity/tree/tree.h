@@ -9,7 +9,7 @@ namespace foamsim {
 /// How good tree sums are.
 struct TreeOptions {
   double tolerance = 1e-4;        ///< largest error over largest value, 1e-8 to 1e-2
-  std::size_t order = 0;          ///< degree of the interpolants, 1 to 15; 0: what the tolerance asks for
+  std::size_t order = 0;          ///< largest degree of the interpolants, 1 to 15; 0: what the tolerance asks for
   bool direct_where_few = false;  ///< sums over as few triangles as direct sums are the faster for are direct
 };
 

@@ -164,9 +164,16 @@ class PlanOf final : public TreePlan {
     return !cluster.leaf() || (terms == TreeTerms::potential ? 1 : 2) * cluster.size() > side.grids[order].size(c);
   }
 
+  // Orders are those that slopes want; a potential alone is as good with one node less.
+  static std::size_t order_of(const ClusterPairs::Far& far, TreeTerms terms) {
+    const std::size_t less = terms == TreeTerms::potential ? 1 : 0;
+    return std::max<std::size_t>(far.order, less) - less;
+  }
+
   TreeBodies<Far> source(const ClusterPairs::Far& far, TreeTerms terms) const {
-    if (!by_grid(from_, far.source, far.order, terms)) return from_.far.of(from_.tree[far.source]);
-    return from_.grids[far.order].bodies(far.source);
+    const std::size_t order = order_of(far, terms);
+    if (!by_grid(from_, far.source, order, terms)) return from_.far.of(from_.tree[far.source]);
+    return from_.grids[order].bodies(far.source);
   }
 
   std::array<double, 3> offset(const Cluster& target, std::uint32_t s) const {
@@ -194,7 +201,7 @@ class PlanOf final : public TreePlan {
     const bool as_grid = by_grid(to(), t, order, terms);
     std::vector<double> potential;
     for (const ClusterPairs::Far& far : pairs_->far[t]) {
-      if (far.order != order) continue;
+      if (order_of(far, terms) != order) continue;
       const auto apart = offset(cluster, far.source);
       if (!as_grid) {
         add_to_targets(to().far.of(cluster), source(far, terms), apart, delta_squared, terms,

@@ -96,6 +96,9 @@ TEST_P(TreeSumOn, IsWithinItsTolerance) {
     EXPECT_LT(error(sums.potential, exact.potential), tolerance) << tolerance;
     EXPECT_LT(error(sums.velocity, exact.velocity), tolerance) << tolerance;
     EXPECT_LT(error(sums.force, exact.force), tolerance) << tolerance;
+    TreePairSums({.tolerance = tolerance}, Precision::doubles)
+        .evaluate(problem.sources, problem.delta, PairTerms::potential, sums);
+    EXPECT_LT(error(sums.potential, exact.potential), tolerance) << tolerance << ", alone";
   }
   // A sum that is direct after all would be exact.
   TreePairSums({.tolerance = 1e-3}, Precision::doubles)

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "Base/error.h"
 #include "tests/support/scratch_folder.h"
@@ -23,6 +25,14 @@ TEST(Figure1, RunsTheThreeStrategiesAndOursWithAsManyFramesAsAreDrawn) {
   for (const ComparedRun& run : runs) {
     EXPECT_EQ(run.outcome.end, RunEnd::finished) << run.area;
     EXPECT_EQ(std::distance(fs::directory_iterator(run.outcome.directory / "frames"), fs::directory_iterator()), 5);
+  }
+  const auto options_of = [&settings](const char* area) {
+    return nlohmann::json::parse(std::ifstream(settings.out / area / "run.json")).at("options");
+  };
+  EXPECT_EQ(options_of("constant-edge").at("phi"), 0.75) << "the published program's";
+  for (const char* area : {"naive", "constant-edge", "averaged"}) {
+    EXPECT_EQ(options_of(area).at("area"), area);
+    EXPECT_EQ(options_of(area).at("diffusion"), 10);
   }
   const auto rows = read_comparison(settings.out / "compare.csv");
   ASSERT_EQ(rows.size(), 4u);

@@ -61,13 +61,11 @@ void write_pvd(const std::filesystem::path& path, const std::vector<PvdFrame>& f
 }
 
 void PvdWriter::add(double time, const std::string& file) {
-  frames_.push_back({time, file});
-  try {
-    write_pvd(path_, frames_);
-  } catch (...) {
-    frames_.pop_back();
-    throw;
-  }
+  std::vector<PvdFrame> frames = frames_;
+  std::erase_if(frames, [&file](const PvdFrame& frame) { return frame.file == file; });
+  frames.push_back({time, file});
+  write_pvd(path_, frames);
+  frames_ = std::move(frames);
 }
 
 }  // namespace lostopos

@@ -29,8 +29,8 @@ class PvdWriter {
   explicit PvdWriter(std::filesystem::path path, std::vector<PvdFrame> frames = {})
       : path_(std::move(path)), frames_(std::move(frames)) {}
 
-  /// Adds a frame that has been written to `file` (relative to the collection's folder) and stands for `time`. Throws
-  /// as `write_pvd` does; the frame is then not added.
+  /// Adds a frame that has been written to `file` (relative to the collection's folder) and stands for `time`, in
+  /// the place of one that was in the same file before. Throws as `write_pvd` does; the frame is then not added.
   void add(double time, const std::string& file);
   const std::vector<PvdFrame>& frames() const { return frames_; }
 

@@ -35,6 +35,15 @@ TEST_F(PvdTest, GrowsFrameByFrameAndIsAlwaysWhole) {
   EXPECT_EQ(read_pvd(path("a.pvd")).size(), 6U);
 }
 
+TEST_F(PvdTest, AFrameThatIsWrittenAnewIsListedOnce) {
+  PvdWriter writer(path("a.pvd"));
+  writer.add(0, "a.vtp");
+  writer.add(1, "b.vtp");
+  writer.add(1, "b.vtp");
+  EXPECT_EQ(read_pvd(path("a.pvd")), (std::vector<PvdFrame>{{0, "a.vtp"}, {1, "b.vtp"}}));
+  EXPECT_EQ(writer.frames(), read_pvd(path("a.pvd")));
+}
+
 TEST_F(PvdTest, FrameThatCannotBeWrittenIsNotAdded) {
   PvdWriter writer(path("a.pvd"));
   writer.add(0, "a.vtp");

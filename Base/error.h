@@ -17,10 +17,17 @@ class InputError : public Error {
   using Error::Error;
 };
 
-/// A file could not be read or written (missing, not permitted, disk full).
+/// A file could not be read or written (missing, not permitted, a folder).
 class FileError : public InputError {
  public:
   using InputError::InputError;
+};
+
+/// The disk could not take what was written: it is full, a quota or a limit of file sizes is used up, or it failed.
+/// Nothing that was given is wrong.
+class DiskError : public FileError {
+ public:
+  using FileError::FileError;
 };
 
 }  // namespace base

@@ -14,18 +14,17 @@
 #include <vector>
 
 #include "Base/error.h"
+#include "Base/io/disk.h"
+#include "Base/io/temporary_file.h"
+#include "Base/io/write_error.h"
 
 namespace base {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void throw_unwritable(const fs::path& path, const std::string& reason) {
-  throw FileError("cannot write '" + path.string() + "': " + reason);
-}
-
-std::string reason_of(int error) {
-  return std::generic_category().message(error);
+std::string cannot_write(const fs::path& path) {
+  return "cannot write '" + path.string() + "'";
 }
 
 // Makes the file-size limit and a closed pipe errors of write(2), in this thread, instead of signals that end the
@@ -64,15 +63,6 @@ fs::path follow_links(fs::path path) {
   return path;
 }
 
-// The temporary's name: hidden, in the same folder, short enough for any file system, free of other runs' by the
-// process number and of this run's by the trial number.
-fs::path temporary_name(const fs::path& target, int trial) {
-  std::string name(1, '.');
-  name += target.filename().string().substr(0, 200);
-  name.append(".").append(std::to_string(::getpid())).append("-").append(std::to_string(trial)).append(".tmp");
-  return target.parent_path() / name;
-}
-
 }  // namespace
 
 class AtomicFile::Buffer final : public std::streambuf {
@@ -84,6 +74,7 @@ class AtomicFile::Buffer final : public std::streambuf {
 
   // The system's number of the first failure, 0 for none.
   int error() const { return error_; }
+  int descriptor() const { return descriptor_; }
   void close() {
     if (descriptor_ >= 0 && ::close(descriptor_) != 0 && error_ == 0) error_ = errno;
     descriptor_ = -1;
@@ -123,16 +114,17 @@ class AtomicFile::Buffer final : public std::streambuf {
   std::vector<char> bytes_;
 };
 
-AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(follow_links(path)), stream_(nullptr) {
+AtomicFile::AtomicFile(const fs::path& path, Durability durability)
+    : path_(path), target_(follow_links(path)), durability_(durability), stream_(nullptr) {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (path.filename().empty() || (exists && S_ISDIR(status.st_mode)))
-    throw_unwritable(path, "it is a folder; name a file in it");
+    throw FileError(cannot_write(path) + ": it is a folder; name a file in it");
   int descriptor = -1;
   if (exists && !S_ISREG(status.st_mode)) {
     descriptor = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    if (exists && ::access(target_.c_str(), W_OK) != 0) throw_unwritable(path, reason_of(errno));
+    if (exists && ::access(target_.c_str(), W_OK) != 0) throw_write_error(cannot_write(path), errno);
     constexpr int most_trials = 1000;
     for (int trial = 0; trial < most_trials && descriptor < 0; ++trial) {
       temporary_ = temporary_name(target_, trial);
@@ -140,7 +132,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(follow_links
       if (descriptor < 0 && errno != EEXIST) break;
     }
   }
-  if (descriptor < 0) throw_unwritable(path, reason_of(errno));
+  if (descriptor < 0) throw_write_error(cannot_write(path), errno);
   // A file that is replaced keeps its permissions; failing in that is no reason to lose the data.
   if (exists && !temporary_.empty() && ::fchmod(descriptor, status.st_mode & 07777U) != 0) errno = 0;
   buffer_ = std::make_unique<Buffer>(descriptor);
@@ -157,12 +149,14 @@ void AtomicFile::commit() {
   if (!buffer_) return;
   stream_.exceptions(std::ios::goodbit);  // the reason is thrown below, whatever the caller asked of the stream
   stream_.flush();
+  const bool durable = durability_ == Durability::machine && !temporary_.empty();
+  if (durable && buffer_->error() == 0) wait_for_disk(buffer_->descriptor(), path_);
   buffer_->close();
   int error = buffer_->error();
   const bool stream_failed = stream_.fail();
   stream_.rdbuf(nullptr);
   buffer_.reset();
-  if (error == 0 && stream_failed) throw_unwritable(path_, "writing to its stream failed");
+  if (error == 0 && stream_failed) throw FileError(cannot_write(path_) + ": writing to its stream failed");
   if (error == 0 && !temporary_.empty()) {
     if (::rename(temporary_.c_str(), target_.c_str()) == 0) {
       temporary_.clear();
@@ -170,7 +164,8 @@ void AtomicFile::commit() {
       error = errno;
     }
   }
-  if (error != 0) throw_unwritable(path_, reason_of(error));
+  if (error != 0) throw_write_error(cannot_write(path_), error);
+  if (durable) wait_for_disk(target_.parent_path().empty() ? "." : target_.parent_path());
 }
 
 }  // namespace base

@@ -5,6 +5,7 @@
 
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
+#include "Base/io/write_error.h"
 
 namespace base {
 
@@ -12,7 +13,7 @@ CsvTable::CsvTable(std::filesystem::path file, const std::string& header, bool a
   const bool going_on = append && std::filesystem::exists(file_);
   if (going_on) whole_ = std::filesystem::file_size(file_);
   stream_.open(file_, going_on ? std::ios::app : std::ios::trunc);
-  if (!stream_) throw FileError("cannot write " + file_.string() + ": " + std::strerror(errno));
+  if (!stream_) throw_write_error("cannot write " + file_.string(), errno);
   if (!going_on) add(header + "\n");
 }
 
@@ -27,8 +28,7 @@ void CsvTable::add(const std::string& rows) {
   stream_.close();
   std::error_code ignored;
   std::filesystem::resize_file(file_, whole_, ignored);
-  throw FileError("cannot write " + file_.string() + ": " +
-                  (reason != 0 ? std::strerror(reason) : "the disk may be full"));
+  throw_write_error("cannot write " + file_.string(), reason);
 }
 
 std::vector<std::string> csv_cells_of(const std::string& line) {
@@ -64,7 +64,8 @@ void keep_rows_until(const std::filesystem::path& file, long last_step) {
   AtomicFile out(file);
   std::string line;
   bool header = true;
-  while (std::getline(in, line)) {
+  // A line without its end was cut off, and its step may be, too.
+  while (std::getline(in, line) && !in.eof()) {
     if (!header && std::atol(line.c_str()) > last_step) break;
     out.stream() << line << '\n';
     header = false;

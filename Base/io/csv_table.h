@@ -11,9 +11,10 @@ namespace base {
 /// A CSV file that grows row by row. After an error it ends with the last whole row.
 class CsvTable {
  public:
-  /// Writes the header line, or goes on behind what `file` holds when `append`. Throws FileError.
+  /// Writes the header line, or goes on behind what `file` holds when `append`. Throws FileError,
+  /// DiskError.
   CsvTable(std::filesystem::path file, const std::string& header, bool append = false);
-  /// Adds one line (or several, each with its newline) and hands it to the system. Throws FileError, e.g.
+  /// Adds one line (or several, each with its newline) and hands it to the system. Throws DiskError, e.g.
   /// when the disk is full; the part of a row that got through is cut off again.
   void add(const std::string& rows);
 
@@ -32,7 +33,8 @@ std::vector<std::string> csv_cells_of(const std::string& line);
 void read_csv(const std::filesystem::path& file, const std::string& header,
               const std::function<void(const std::vector<std::string>& cells)>& row);
 
-/// Cuts a table back to the header and the rows whose first column, a step, is at most `last_step`.
+/// Cuts a table back to the header and the rows whose first column, a step, is at most `last_step`; a
+/// last line without its end goes, too.
 void keep_rows_until(const std::filesystem::path& file, long last_step);
 
 }  // namespace base

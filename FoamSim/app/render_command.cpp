@@ -6,6 +6,7 @@
 #include <set>
 
 #include "Base/error.h"
+#include "Base/io/write_error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
@@ -79,9 +80,7 @@ void draw(const RenderArguments& arguments) {
   std::vector<render::Surface> surfaces;
   for (const std::string& frame : arguments.frames) surfaces.push_back(read_frame(frame));
   const ThreadLimit limit = thread_limit(arguments.threads);
-  std::error_code error;
-  fs::create_directories(arguments.out, error);
-  if (error) throw base::FileError("cannot make the folder " + arguments.out + ": " + error.message());
+  base::make_folder(arguments.out);
   const std::vector<render::Image> images = draw_together(surfaces, options, view);
   for (std::size_t i = 0; i < images.size(); ++i) {
     render::write_png(images[i], files[i]);

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "Base/io/write_error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/pictures.h"
@@ -48,7 +49,7 @@ void print_row(const Table1Row& r) {
 
 bool measures(const ReproduceArguments& arguments) {
   const auto rows = measure_exact_double_bubbles();
-  fs::create_directories(arguments.out);
+  base::make_folder(arguments.out);
   write_angle_measures(fs::path(arguments.out) / "angle_measures.csv", rows);
   std::printf("What the two measures find where every angle is 120 degrees (vertices exactly on double bubbles):\n");
   std::printf("%-14s %8s %9s %8s %12s %12s\n", "volumes", "segments", "triangles", "h/R", "facets, deg", "films, deg");
@@ -129,7 +130,7 @@ bool figure1(const ReproduceArguments& arguments, const Program& program) {
 
 bool figure3(const ReproduceArguments& arguments, const Program& program) {
   const auto rows = stretch_junction();
-  fs::create_directories(arguments.out);
+  base::make_folder(arguments.out);
   write_stretched_junction(fs::path(arguments.out) / "figure3.csv", rows);
   if (!arguments.quiet)
     for (const StretchedJunctionRow& row : rows)
@@ -142,7 +143,7 @@ bool figure3(const ReproduceArguments& arguments, const Program& program) {
 // A picture of each scene, and a table of the figures that scenes are known by.
 bool scenes(const ReproduceArguments& arguments) {
   const fs::path folder = fs::path(arguments.out) / "scenes";
-  fs::create_directories(folder);
+  base::make_folder(folder);
   std::vector<GalleryRow> rows;
   for (const GalleryScene& scene : gallery_scenes()) {
     Progress progress("scenes: " + scene.scene, arguments.quiet);

@@ -1,4 +1,5 @@
 #include "Base/error.h"
+#include "Base/io/write_error.h"
 #include "FoamSim/app/study_commands.h"
 
 namespace foamsim::app {
@@ -8,9 +9,7 @@ namespace fs = std::filesystem;
 void require_new_study(const fs::path& out, const std::string& table, bool force) {
   if (!force && fs::exists(out / table))
     throw base::InputError(out.string() + " already holds a study; give another --out, or --force to replace it");
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (error) throw base::FileError("cannot make the folder " + out.string() + ": " + error.message());
+  base::make_folder(out);
 }
 
 void add_study_command(base::Command& root, const Program& program) {

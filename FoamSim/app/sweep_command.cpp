@@ -4,6 +4,7 @@
 #include "Base/console/terminal.h"
 #include "Base/error.h"
 #include "Base/io/file_lock.h"
+#include "Base/io/write_error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/common_arguments.h"
 #include "FoamSim/app/session.h"
@@ -92,9 +93,7 @@ int collect(const SweepArguments& arguments, const Sweep& sweep, const std::vect
 }
 
 int submit_runs(const SweepArguments& arguments, const Program& program, Sweep& sweep) {
-  std::error_code error;
-  fs::create_directories(sweep.folder, error);
-  if (error) throw base::FileError("cannot make the folder " + sweep.folder.string() + ": " + error.message());
+  base::make_folder(sweep.folder);
   const auto lock = base::FileLock::take(sweep.folder / "submit.lock");
   if (!lock) throw base::InputError("another process submits runs of " + sweep.folder.string() + " now");
   // What another process may have submitted until the lock was free.

@@ -6,6 +6,7 @@
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
 #include "Base/io/number_text.h"
+#include "Base/io/write_error.h"
 #include "FoamSim/sweep/stable_hash.h"
 
 namespace foamsim::sweep {
@@ -170,9 +171,7 @@ void mark_queued(const std::set<std::size_t>& queued, std::vector<RunState>& sta
 }
 
 std::string submit(Sweep& sweep, const std::vector<std::size_t>& runs, const SlurmSettings& settings) {
-  std::error_code error;
-  fs::create_directories(sweep.folder / "slurm", error);
-  if (error) throw base::FileError("cannot make the folder " + sweep.folder.string() + ": " + error.message());
+  base::make_folder(sweep.folder / "slurm");
   const auto now = std::chrono::system_clock::now().time_since_epoch().count();
   const std::string job_name = "foamsim-" + stable_hash(sweep.folder.string() + "\n" + std::to_string(now));
   const std::string limit = settings.at_a_time ? "%" + std::to_string(*settings.at_a_time) : "";

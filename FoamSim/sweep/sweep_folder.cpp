@@ -5,6 +5,7 @@
 
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
+#include "Base/io/write_error.h"
 #include "FoamSim/version.h"
 
 namespace foamsim::sweep {
@@ -50,9 +51,7 @@ Sweep read_sweep(const fs::path& folder) {
 }
 
 void write_sweep(const Sweep& sweep) {
-  std::error_code error;
-  fs::create_directories(sweep.folder / "runs", error);
-  if (error) throw base::FileError("cannot make the folder " + sweep.folder.string() + ": " + error.message());
+  base::make_folder(sweep.folder / "runs");
   ordered_json submissions = ordered_json::array(), runs = ordered_json::array();
   for (const Submission& one : sweep.submissions) submissions.push_back({{"job_name", one.job_name}, {"job", one.job}});
   for (const PlannedRun& run : sweep.runs) runs.push_back({{"name", run.name}, {"values", run.values}});

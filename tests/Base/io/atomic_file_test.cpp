@@ -141,6 +141,40 @@ TEST_F(AtomicFileTest, SignalMaskIsPutBack) {
   for (const int signal : {SIGXFSZ, SIGPIPE}) EXPECT_EQ(sigismember(&before, signal), sigismember(&after, signal));
 }
 
+TEST_F(AtomicFileTest, AFullDiskIsNotABadPath) {
+  const auto writes = [](const std::filesystem::path& to) {
+    base::AtomicFile file(to, base::Durability::machine);
+    file.stream() << std::string(200000, 'x');
+    file.commit();
+  };
+  EXPECT_THROW(writes("/dev/full"), base::DiskError);
+  {
+    const FileSizeLimit limit(100000);
+    EXPECT_THROW(writes(path("a")), base::DiskError);
+  }
+  try {
+    writes(path("none/a"));
+    FAIL();
+  } catch (const base::DiskError&) {
+    FAIL() << "the path is wrong";
+  } catch (const base::FileError&) {
+  }
+  EXPECT_EQ(files_in_folder(), 0U);
+}
+
+TEST_F(AtomicFileTest, CanWaitForTheDisk) {
+  for (const char* name : {"a", "a"}) {
+    base::AtomicFile file(path(name), base::Durability::machine);
+    file.stream() << "on the disk";
+    file.commit();
+  }
+  EXPECT_EQ(content_of(path("a")), "on the disk");
+  EXPECT_EQ(files_in_folder(), 1U);
+  base::AtomicFile device("/dev/null", base::Durability::machine);
+  device.stream() << "nowhere";
+  EXPECT_NO_THROW(device.commit());
+}
+
 TEST_F(AtomicFileTest, MissingFolder) {
   const std::string message = input_error([&] { base::AtomicFile file(path("none/a")); });
   expect_contains(message, "none/a");

@@ -18,6 +18,9 @@ int run_and_report(CommandLine& line, int argc, const char* const* argv,
   try {
     add_commands(line);
     return line.run(argc, argv);
+  } catch (const DiskError& error) {
+    print_error(name, error.what());
+    return exit_disk_full;
   } catch (const InputError& error) {
     print_error(name, error.what());
     return exit_bad_input;
@@ -55,7 +58,7 @@ int run_command_line(CommandLine& line, int argc, const char* const* argv,
   if ((std::fflush(stdout) == 0 && !failed_before) || code != exit_done) return code;
   print_error(line.name(),
               std::string("cannot write the output: ") + (errno != 0 ? std::strerror(errno) : "write error"));
-  return exit_bad_input;
+  return exit_disk_full;
 }
 
 }  // namespace base

@@ -4,15 +4,9 @@
 #include <string>
 
 #include "Base/console/command_line.h"
+#include "Base/exit_code.h"
 
 namespace base {
-
-/// What a program returns, apart from InterruptGuard::exit_code().
-enum ExitCode : int {
-  exit_done = 0,
-  exit_bad_input = 2,
-  exit_cannot_go_on = 3,
-};
 
 /// "foamsim" of "build/bin/foamsim"; `otherwise` where argv does not say.
 std::string program_name(int argc, const char* const* argv, const std::string& otherwise);

@@ -12,6 +12,7 @@ namespace foamsim::app {
 using base::exit_bad_input;
 using base::exit_cannot_go_on;
 using base::exit_done;
+using base::exit_unfinished;
 
 /// What the program was called with.
 struct Program {

@@ -15,17 +15,20 @@ Section section_of(const std::string& title, const Entries& entries) {
 }
 
 Section exit_status() {
-  return {"exit status",
-          {{"0", "done"},
-           {"2", "bad input, or output that cannot be written; nothing is left behind"},
-           {"3", "the simulation could not go on; the last good state is saved and named; of a sweep: runs failed"},
-           {"4", "sweep: some runs are still to come"},
-           {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved"}}};
+  return {
+      "exit status",
+      {{"0", "done"},
+       {"2", "bad input, or a folder that cannot be written to or in which another run works; nothing is left behind"},
+       {"3", "the simulation could not go on; the last good state is saved and named; of a sweep: runs failed"},
+       {"4", "the disk is full or has failed; a run goes on with --resume when there is room"},
+       {"5", "sweep: some runs are still to come"},
+       {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved"}}};
 }
 
 Section files() {
   return {"files",
-          {{"run.json", "what was run, every option as used, times by stage, how it ended"},
+          {{".run.lock", "while a run works there: by which process, on which machine"},
+           {"run.json", "what was run, every option as used, times by stage, how it ended"},
            {"metrics.csv, volumes.csv", "a row a step"},
            {"events.csv", "every change of topology"},
            {"frames/*.ply", "surfaces"},

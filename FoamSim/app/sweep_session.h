@@ -11,9 +11,6 @@
 
 namespace foamsim::app {
 
-/// What a sweep returns while some runs are still to come.
-inline constexpr int exit_unfinished = 4;
-
 /// The program itself, by a path that leads to it from any folder.
 std::filesystem::path own_path(const Program& program);
 
@@ -23,7 +20,7 @@ void require_workers(std::optional<long> workers);
 std::size_t count_of(const std::vector<sweep::RunState>& states, sweep::Status status);
 /// "3 finished, 1 failed".
 std::string counts_text(const std::vector<sweep::RunState>& states);
-/// 0 when all have finished; else what docs/sweeps.md says.
+/// 0 when all have finished; else what docs/output.md says.
 int exit_code_for(const std::vector<sweep::RunState>& states);
 
 /// "NAME: failed: MESSAGE" on standard output.

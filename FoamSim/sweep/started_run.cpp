@@ -3,7 +3,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "Base/error.h"
+#include "Base/exit_code.h"
+#include "Base/io/write_error.h"
 
 namespace foamsim::sweep {
 
@@ -19,7 +20,8 @@ fs::path log_file(const fs::path& folder) {
 std::vector<std::string> arguments_for(const Sweep& sweep, std::size_t run, const Launcher& launcher,
                                        const RunState& state, int last_signal) {
   const fs::path folder = sweep.run_folder(run), checkpoint = folder / "checkpoint.cbor";
-  const bool goes_on = state.status == Status::interrupted || last_signal != 0;
+  const bool goes_on = state.status == Status::interrupted || last_signal != 0 ||
+                       state.exit_code == static_cast<long>(base::exit_disk_full);
   std::vector<std::string> arguments;
   if (goes_on && fs::exists(checkpoint)) {
     arguments = {"run", "--resume", checkpoint.string()};
@@ -43,9 +45,7 @@ bool wants_start(const RunState& state, bool retry) {
 
 std::optional<StartedRun> StartedRun::start(const Sweep& sweep, std::size_t run, const Launcher& launcher) {
   const fs::path folder = sweep.run_folder(run);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw base::FileError("cannot make the folder " + folder.string() + ": " + error.message());
+  base::make_folder(folder);
   std::optional<base::FileLock> lock = base::FileLock::take(lock_file(folder));
   if (!lock) return std::nullopt;
   const RunState state = recorded_state(folder);

@@ -25,9 +25,13 @@ class Run {
   }
 
   Outcome go() {
-    loop();
-    if (outcome_.message.empty()) outcome_.message = remark();
-    finish();
+    try {
+      loop();
+      if (outcome_.message.empty()) outcome_.message = remark();
+      finish();
+    } catch (const base::DiskError& error) {
+      throw base::DiskError(error.what() + way_on_from_a_full_disk());
+    }
     return std::move(outcome_);
   }
 
@@ -78,6 +82,12 @@ class Run {
     if (outcome_.end == End::interrupted && writer_ && writer_->saves_checkpoints())
       return "to go on: --resume " + writer_->folder().checkpoint().string();
     return {};
+  }
+
+  std::string way_on_from_a_full_disk() const {
+    const std::filesystem::path checkpoint = writer_ ? writer_->folder().checkpoint() : std::filesystem::path();
+    if (!std::filesystem::exists(checkpoint)) return "; no checkpoint was written before";
+    return "; to go on when there is room: --resume " + checkpoint.string();
   }
 
   // The last good state, unless the last step has just written it.

@@ -19,8 +19,9 @@ base::Manual manual() {
   manual.sections.push_back(
       {"exit status",
        {{"0", "done"},
-        {"2", "bad input, or output that cannot be written"},
+        {"2", "bad input, or a folder that cannot be written to or in which another run works"},
         {"3", "the surface could not be moved on; the last good state is saved and named"},
+        {"4", "the disk is full or has failed; a run goes on with --resume when there is room"},
         {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved"}}});
   return manual;
 }

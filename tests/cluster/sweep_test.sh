@@ -70,7 +70,7 @@ check "its number is recorded" grep -q '"job": "[0-9][0-9]*"' "$folder/out/sweep
 
 none_to_come() {
   all_done
-  [[ $? != 4 ]]
+  [[ $? != 5 ]]
 }
 check "all tasks end" wait_until 120 none_to_come
 check "two runs failed, which the exit code says" exits 3 "$program" sweep --collect --out "$folder/out"
@@ -92,10 +92,10 @@ job=$(sed -n 's/.*"job": "\([0-9]*\)".*/\1/p' "$folder/long/sweep.json")
 under_way() { grep -q '^3,' "$folder/long/runs/$1/metrics.csv" 2>/dev/null; }
 check "its first task is under way" wait_until 60 under_way n=8
 check "its second task is under way" wait_until 60 under_way n=9
-check "what is in the queue is not submitted again" exits 4 "${long[@]}"
+check "what is in the queue is not submitted again" exits 5 "${long[@]}"
 # As where the program ended before it had the number.
 sed -i "s/\"job\": \"$job\"/\"job\": \"\"/" "$folder/long/sweep.json"
-check "a job whose number was lost is not submitted again" exits 4 "${long[@]}"
+check "a job whose number was lost is not submitted again" exits 5 "${long[@]}"
 check "its number is found by its name" grep -q "\"job\": \"$job\"" "$folder/long/sweep.json"
 scancel "$job"
 queue_is_empty() { [[ -z $(squeue --noheader) ]]; }

@@ -1,4 +1,4 @@
-// What a user gets who mistypes, points at the wrong place, or runs out of disk: one line that says what would be
+// What a user gets who mistypes or points at the wrong place: one line that says what would be
 // right, exit 2, nothing left behind.
 #include <gtest/gtest.h>
 
@@ -156,12 +156,6 @@ TEST(BadFiles, AMessageListsSuggestionsNotEveryOption) {
   EXPECT_LT(result.error.size(), 100U) << result.error;
 }
 
-TEST(BadOutput, AFullDiskBehindStdoutIsAnError) {
-  for (const char* command : {"scenes", "effects", "--help", "generate man"})
-    expect_refused(::test::run_program("sh -c '" FOAMSIM_PROGRAM, std::string(command) + " >/dev/full'"),
-                   "cannot write the output");
-}
-
 TEST(BadOutput, AFolderThatHoldsARunIsRefusedUnlessForced) {
   const ScratchFolder scratch;
   const std::string command = "run sphere --set n=1 --steps 2 --out " + (scratch / "run");
@@ -179,28 +173,6 @@ TEST(BadOutput, APlaceThatCannotBeWrittenToIsRefused) {
   expect_refused(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "file/below")), "folder");
   expect_refused(run_foamsim("run sphere --set n=1 --steps 2 --out /proc/foamsim"), "/proc/foamsim");
   EXPECT_EQ(read_file(scratch / "file"), "not a folder");
-}
-
-// A limit on the size of files stands in for a full disk: writes fail in the same places.
-TEST(BadOutput, AFullDiskAtTheStartLeavesNothing) {
-  const ScratchFolder scratch;
-  expect_refused(run_foamsim("run doublebubble --steps 2 --out " + (scratch / "run"), "ulimit -f 4;"), scratch / "run");
-  EXPECT_FALSE(fs::exists(scratch.path() / "run"));
-}
-
-TEST(BadOutput, AFullDiskLaterKeepsWholeRowsAndFrames) {
-  const ScratchFolder scratch;
-  // Frames of this sphere are small; the table of metrics outgrows 16 KiB after some dozen steps.
-  const ProgramResult result =
-      run_foamsim("run mode --set n=1 --steps 2000 --set frame_every=10 --out " + (scratch / "run"), "ulimit -f 16;");
-  expect_refused(result, "metrics.csv");
-  const std::string table = read_file(scratch / "run/metrics.csv");
-  ASSERT_FALSE(table.empty());
-  EXPECT_EQ(table.back(), '\n');
-  const auto columns = [](const std::string& line) { return std::ranges::count(line, ','); };
-  EXPECT_EQ(columns(table.substr(table.rfind('\n', table.size() - 2))), columns(table.substr(0, table.find('\n'))));
-  for (const auto& frame : fs::directory_iterator(scratch.path() / "run/frames"))
-    EXPECT_EQ(run_foamsim("inspect " + frame.path().string()).exit_code, 0) << frame.path();
 }
 
 }  // namespace

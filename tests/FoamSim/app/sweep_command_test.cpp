@@ -134,7 +134,7 @@ TEST(SweepCommand, KilledLeavesRunsThatTheNextDoesNotStartTwice) {
                                     << "kill -KILL $pid; wait $pid\n";
   ::test::run_program("sh", scratch / "script");
   const ProgramResult second = run_foamsim(sweep);
-  EXPECT_EQ(second.exit_code, 4) << second.error;
+  EXPECT_EQ(second.exit_code, 5) << second.error;
   EXPECT_NE(second.out.find("1 runs: 1 running"), std::string::npos) << second.out;
   // The run that is left over, which nobody waits for, saves when it is asked to.
   std::ofstream(scratch / "end")
@@ -142,7 +142,7 @@ TEST(SweepCommand, KilledLeavesRunsThatTheNextDoesNotStartTwice) {
       << " ' && id=${p#/proc/}; done; kill -TERM $id; "
       << "for i in $(seq 300); do grep -q interrupted " << run << "/run.json && break; sleep 0.1; done; sleep 0.5\n";
   ::test::run_program("sh", scratch / "end");
-  EXPECT_EQ(run_foamsim("sweep --collect --out " + (scratch / "out")).exit_code, 4);
+  EXPECT_EQ(run_foamsim("sweep --collect --out " + (scratch / "out")).exit_code, 5);
   EXPECT_EQ(sweep_table(scratch / "out")["n=8"]["status"], "interrupted");
 }
 
@@ -154,7 +154,7 @@ TEST(SweepCommand, ListsCommandsForOthersToRun) {
   ASSERT_EQ(listed.exit_code, 0) << listed.error;
   EXPECT_EQ(std::ranges::count(listed.out, '\n'), 4);
   EXPECT_FALSE(fs::exists(scratch.path() / "out/runs/n=8_area=naive"));
-  EXPECT_EQ(run_foamsim("sweep --collect --out " + out).exit_code, 4);
+  EXPECT_EQ(run_foamsim("sweep --collect --out " + out).exit_code, 5);
   EXPECT_EQ(sweep_table(out)["n=8_area=naive"]["status"], "pending");
   std::ofstream(scratch / "script") << FOAMSIM_PROGRAM " " << list << " | xargs -d '\\n' -n 1 -P 2 sh -c\n";
   const ProgramResult made = ::test::run_program("sh", scratch / "script");

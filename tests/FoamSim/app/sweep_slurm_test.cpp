@@ -77,11 +77,11 @@ TEST(SweepOnSlurm, ATaskMakesItsRunAndWhatIsQueuedIsNotSubmittedAgain) {
   ASSERT_EQ(slurm.submit().exit_code, 0);
   EXPECT_EQ(::test::run_program("sh", slurm.out() + "/job.sh", "SLURM_ARRAY_TASK_ID=1").exit_code, 0);
   slurm.set("squeue", "echo '4242 0'; echo '4242 2'");
-  EXPECT_EQ(slurm.sweep("--collect").exit_code, 4);
+  EXPECT_EQ(slurm.sweep("--collect").exit_code, 5);
   const std::string table = read_file(slurm.out() + "/table.csv");
   for (const char* row : {"\nn=8,8,queued,", "\nn=9,9,finished,0,", "\nn=10,10,queued,"})
     EXPECT_NE(table.find(row), std::string::npos) << table;
-  EXPECT_EQ(slurm.submit().exit_code, 4);
+  EXPECT_EQ(slurm.submit().exit_code, 5);
   EXPECT_EQ(slurm.submissions(), 1);
   // Here it would be made a second time.
   EXPECT_EQ(slurm.sweep("").exit_code, 2);
@@ -106,7 +106,7 @@ TEST(SweepOnSlurm, ThatEndsBeforeItRecordsTheNumberFindsTheJobByItsName) {
   EXPECT_EQ(slurm.submissions(), 1);
   // It has the job.
   slurm.set("squeue", "case \"$*\" in *--name=" + job_name + "*|*--jobs=77*) printf '77 0\\n77 1\\n77 2\\n' ;; esac");
-  EXPECT_EQ(slurm.submit().exit_code, 4);
+  EXPECT_EQ(slurm.submit().exit_code, 5);
   EXPECT_EQ(slurm.submissions(), 1);
   EXPECT_EQ(slurm.recorded()[0]["job"], "77");
 }

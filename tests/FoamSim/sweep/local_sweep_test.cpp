@@ -98,14 +98,16 @@ TEST(LocalSweep, InterruptedRunsGoOnFromTheirCheckpoint) {
 
 TEST(LocalSweep, ACrashedRunGoesOnFromItsCheckpointWhenRetriedAndAFailedOneBeginsAnew) {
   ScriptedSweep scripted(
-      "touch $folder/checkpoint.cbor\ncase $* in *--resume*) finish ;; *seed=1*) kill -KILL $$ ;; *) exit 3 ;; esac",
-      2);
+      "touch $folder/checkpoint.cbor\ncase $* in *--resume*) finish ;; *seed=1*) kill -KILL $$ ;; *seed=3*) exit 4 ;; "
+      "*) exit 3 ;; esac",
+      3);
   EXPECT_EQ(scripted.go()[0].status, Status::failed);
   scripted.settings.launcher.retry = true;
   const auto states = scripted.go();
   EXPECT_EQ(states[0].status, Status::finished);
   EXPECT_EQ(states[1].status, Status::failed);
   EXPECT_EQ(states[1].exit_code, 3);
+  EXPECT_EQ(states[2].status, Status::finished) << "the disk was full";
 }
 
 TEST(LocalSweep, AnInterruptionAsksAllToSaveAndStartsNoMore) {

@@ -103,7 +103,7 @@ TEST(FullDisk, EndsTheRunWithAMessage) {
   const ScratchFolder scratch;
   const ProgramResult result =
       run_multitracker("run enright --steps 5 --quiet --out " + (scratch / "run"), "ulimit -f 20;");
-  EXPECT_EQ(result.exit_code, 2) << result.error;
+  EXPECT_EQ(result.exit_code, 4) << result.error;
   EXPECT_NE(result.error.find("cannot write"), std::string::npos) << result.error;
 }
 
@@ -148,6 +148,18 @@ TEST(Interrupted, GoesOnToTheSameBits) {
   }
 }
 
+TEST(Interrupted, ByAKillGoesOnToTheSameBits) {
+  const ScratchFolder scratch;
+  const std::string scene = "run zalesak --set checkpoint_every=1 --steps 60 --quiet --force --out ";
+  const std::string whole = scratch / "whole", parts = scratch / "parts";
+  ASSERT_EQ(run_multitracker(scene + whole).exit_code, 0);
+  EXPECT_EQ(run_multitracker(scene + parts, "timeout -s KILL 1").exit_code, 137);
+  ASSERT_TRUE(fs::exists(parts + "/checkpoint.cbor"));
+  EXPECT_EQ(run_multitracker("run --resume " + parts + " --steps 60 --quiet").exit_code, 0);
+  for (const char* file : {"/frames/frame_000060.ply", "/volumes.csv", "/events.csv"})
+    EXPECT_TRUE(read_file(parts + file) == read_file(whole + file)) << file;
+}
+
 TEST(Interrupted, SaysHowToGoOn) {
   const ScratchFolder scratch;
   const ProgramResult result = run_multitracker("run noise --steps 1000000 --out " + (scratch / "run"),
@@ -168,7 +180,7 @@ TEST(Interrupted, ExitCodeTellsTheSignal) {
 
 TEST(FullDisk, BehindStdoutIsAnError) {
   const ProgramResult result = ::test::run_program("sh -c '" MULTITRACKER_PROGRAM, "scenes >/dev/full'");
-  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.exit_code, 4);
   EXPECT_NE(result.error.find("cannot write the output"), std::string::npos) << result.error;
 }
 

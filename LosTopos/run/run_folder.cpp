@@ -6,6 +6,8 @@
 
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
+#include "Base/io/temporary_file.h"
+#include "Base/io/write_error.h"
 
 namespace lostopos::run {
 
@@ -44,7 +46,19 @@ fs::path numbered(const fs::path& folder, const char* what, long step, const cha
   return folder / name;
 }
 
-void require_writable(const fs::path& path) {
+// Removes a folder and those that it is in, up to `topmost`, as far as nobody else has put something there.
+void remove_empty(const fs::path& path, const fs::path& topmost) {
+  if (topmost.empty()) return;
+  std::error_code error;
+  for (fs::path p = fs::absolute(path); p != p.parent_path(); p = p.parent_path()) {
+    fs::remove(p, error);
+    if (error || p == topmost) return;
+  }
+}
+
+// And tries that it can be written to.
+void make_frames(const fs::path& path) {
+  base::make_folder(path / "frames");
   base::AtomicFile probe(path / "frames" / "probe");
   probe.stream() << "probe\n";
   probe.commit();
@@ -53,25 +67,32 @@ void require_writable(const fs::path& path) {
 
 }  // namespace
 
+RunFolder::RunFolder(fs::path path, fs::path made) : path_(std::move(path)), made_(std::move(made)), lock_(path_) {
+  base::remove_stale_temporaries(path_);
+  for (const char* folder : run_folders) base::remove_stale_temporaries(path_ / folder);
+}
+
+RunFolder RunFolder::make(const fs::path& path, const fs::path& made) {
+  try {
+    base::make_folder(path, "give a folder that can be written to with --out");
+    return {path, made};
+  } catch (const base::FileError&) {
+    remove_empty(path, made);
+    throw;
+  }
+}
+
 RunFolder RunFolder::create(const fs::path& path, bool force) {
   if (fs::exists(path) && !fs::is_directory(path))
     throw base::InputError(path.string() + " is a file; the output has to go to a folder");
+  RunFolder folder = make(path, topmost_missing(path));
   if (holds_a_run(path)) {
     if (!force)
       throw base::InputError(path.string() + " already holds a run; give another --out, or --force to replace it");
     remove_run(path);
   }
-  const fs::path made = topmost_missing(path);
-  std::error_code error;
-  fs::create_directories(path / "frames", error);
-  RunFolder folder(path, made);
-  if (error) {
-    folder.discard();
-    throw base::FileError("cannot make the output folder " + path.string() + ": " + error.message() +
-                          "; give a folder that can be written to with --out");
-  }
   try {
-    require_writable(path);
+    make_frames(path);
   } catch (...) {
     folder.discard();
     throw;
@@ -80,11 +101,10 @@ RunFolder RunFolder::create(const fs::path& path, bool force) {
 }
 
 RunFolder RunFolder::open(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path / "frames", error);
-  if (error) throw base::FileError("cannot write to " + path.string() + ": " + error.message());
-  require_writable(path);
-  return {path, {}};
+  base::make_folder(path);
+  RunFolder folder(path, {});
+  make_frames(path);
+  return folder;
 }
 
 fs::path RunFolder::frame(long step) const {
@@ -100,12 +120,10 @@ fs::path RunFolder::obj(long frame) const {
   return numbered(path_ / "obj", "mesh", frame, "obj");
 }
 
-void RunFolder::discard() const {
-  std::error_code ignored;
-  if (!made_.empty())
-    fs::remove_all(made_, ignored);
-  else
-    remove_run(path_);
+void RunFolder::discard() {
+  remove_run(path_);
+  lock_.reset();
+  remove_empty(path_, made_);
 }
 
 }  // namespace lostopos::run

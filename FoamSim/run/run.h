@@ -60,7 +60,8 @@ inline constexpr double rest_patience = 500;
 /// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, events.csv where the topology may change,
 /// frames, checkpoint). A simulation that cannot go on, or an interruption, ends the run with the last good state
 /// saved; base::InputError (bad scene, folder or checkpoint, a surface or resolution that check_start refuses, more
-/// steps than can be counted, disk full) is thrown, before anything is written where that is possible.
+/// steps than can be counted) is thrown, before anything is written where that is possible, and base::DiskError for a
+/// full disk.
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks = {});
 
 }  // namespace foamsim

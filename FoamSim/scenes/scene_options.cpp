@@ -37,7 +37,10 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
       base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
       base::flag("air_by_stage", false, "measure the air's energy after every stage, at 3 sums a step"),
-      base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
+      base::whole_number("checkpoint_every", 0, 0, "steps between checkpoints; 0: by checkpoint_seconds alone"),
+      base::non_negative_number("checkpoint_seconds", 30,
+                                "wall time between checkpoints, s, longer where they would take over 1% of it; 0: by "
+                                "checkpoint_every and at the end only"),
       base::whole_number("rec_every", 0, 0, "steps between .rec meshes for the reference program; 0: none"),
       base::whole_number("obj_every", 0, 0, "steps between .obj meshes with normals; 0: none"),
       base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),

@@ -24,6 +24,9 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
+  if (error == std::errc::no_such_file_or_directory && std::filesystem::exists(file.parent_path() / "run.json"))
+    throw base::FileError("the run in " + file.parent_path().string() + " has ended before its first checkpoint " +
+                          file.filename().string() + ": run its command, which run.json has, once more with --force");
   if (error || !in)
     throw base::FileError("cannot read the checkpoint " + file.string() + "; give a run's checkpoint.cbor");
   if (size > most_bytes) throw base::InputError(file.string() + " is too large to be a checkpoint");
@@ -39,7 +42,7 @@ void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat&
   value["format"] = format_text(format);
   value["version"] = format.version;
   const std::vector<std::uint8_t> bytes = json::to_cbor(value);
-  base::AtomicFile out(file);
+  base::AtomicFile out(file, base::Durability::machine);
   out.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   out.commit();
 }

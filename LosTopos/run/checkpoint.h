@@ -13,7 +13,8 @@ struct CheckpointFormat {
   int version = 1;
 };
 
-/// Writes `content` with its format to `file` (CBOR), atomically. Throws base::FileError.
+/// Writes `content` with its format to `file` (CBOR), atomically; it is on the disk then. Throws
+/// base::FileError, base::DiskError.
 void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const nlohmann::json& content);
 
 /// The content of a checkpoint, handed to `take`. Throws base::FileError when the file cannot be read, and

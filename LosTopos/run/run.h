@@ -29,8 +29,11 @@ struct Output {
   /// The motion comes from the folder's own checkpoint: its tables and collection go on behind that step.
   bool go_on = false;
   long frame_every = 0;       ///< steps between frames; 0: the first and the last only
-  long checkpoint_every = 0;  ///< steps between checkpoints; 0: at the end only
-  bool vtp = false;           ///< also write .vtp frames and surface.pvd
+  long checkpoint_every = 0;  ///< steps between checkpoints; 0: not by steps
+  /// Wall time between checkpoints, s, or longer where they would take more than 1% of it; 0: not by time. The end has
+  /// one in any case.
+  double checkpoint_seconds = 0;
+  bool vtp = false;  ///< also write .vtp frames and surface.pvd
   /// Steps between the meshes that the reference programs write, from the start on, under the names that they have
   /// there: rec/mesh000000.rec, obj/mesh000000.obj (with normals), ...; 0: none.
   long rec_every = 0, obj_every = 0;
@@ -61,8 +64,8 @@ struct Outcome {
 
 /// Runs a motion to its plan's end and writes the folder: frames, tables, checkpoints, run.json (from the start on).
 /// A step that cannot be done, or an interruption, ends the run with the last good state saved. Throws
-/// base::InputError for a folder that cannot be used, and base::FileError when the disk is full; before the first
-/// frame is written nothing is left of the run then.
+/// base::InputError for a folder that cannot be used or in which another run works, and base::DiskError when the disk
+/// is full: what was written until then stays, or nothing of it when that happens at the start.
 Outcome run_motion(Motion& motion, const Plan& plan, const Output& output, const Hooks& hooks = {});
 /// The same with nothing written.
 Outcome run_in_memory(Motion& motion, const Plan& plan, const Hooks& hooks = {});

@@ -92,7 +92,7 @@ void write_run_json(const std::filesystem::path& file, const Output& output, con
   value["collisions"] = collisions_json(outcome.work.move);
   value["last_frame"] = outcome.last_frame.filename().string();
   motion.summarize(value);
-  base::AtomicFile out(file);
+  base::AtomicFile out(file, base::Durability::machine);
   out.stream() << value.dump(2) << '\n';
   out.commit();
 }

@@ -1,7 +1,10 @@
 #include "LosTopos/run/run_writer.h"
 
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "Base/io/disk.h"
+#include "Base/io/write_error.h"
 #include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/vtp.h"
@@ -30,6 +33,7 @@ RunWriter::RunWriter(const Motion& motion, const Output& output)
       output_(output),
       folder_(output.go_on ? RunFolder::open(output.folder) : RunFolder::create(output.folder, output.force)),
       pvd_(folder_.pvd()),
+      checkpoint_interval_(output.checkpoint_seconds),
       saves_checkpoints_(motion.resumable()) {
   try {
     begin();
@@ -47,9 +51,9 @@ void RunWriter::begin() {
     base::CsvTable open(file, table.header, output_.go_on);
     tables_.push_back({std::move(table), std::move(open)});
   }
-  if (output_.vtp) std::filesystem::create_directories(folder_.path() / "vtp");
-  if (output_.rec_every > 0) std::filesystem::create_directories(folder_.path() / "rec");
-  if (output_.obj_every > 0) std::filesystem::create_directories(folder_.path() / "obj");
+  if (output_.vtp) base::make_folder(folder_.path() / "vtp");
+  if (output_.rec_every > 0) base::make_folder(folder_.path() / "rec");
+  if (output_.obj_every > 0) base::make_folder(folder_.path() / "obj");
   if (output_.go_on) {
     pvd_ = PvdWriter(folder_.pvd(), frames_until(folder_.pvd(), motion_.time()));
     if (std::filesystem::exists(folder_.frame(step))) last_frame_ = folder_.frame(step);
@@ -68,7 +72,7 @@ void RunWriter::write_step() {
   write_rows();
   if (due(motion_.steps(), output_.frame_every)) write_frame();
   write_reference_meshes();
-  if (due(motion_.steps(), output_.checkpoint_every)) write_checkpoint();
+  if (due(motion_.steps(), output_.checkpoint_every) || checkpoint_interval_.due(watch_.seconds())) write_checkpoint();
 }
 
 void RunWriter::write_end() {
@@ -88,26 +92,53 @@ void RunWriter::write_frame() {
   const auto file = folder_.frame(motion_.steps());
   if (file == last_frame_) return;
   write_ply(file, from_mesh(motion_.mesh()));
+  wrote(file);
   last_frame_ = file;
   if (!output_.vtp) return;
   const auto vtp = folder_.vtp(motion_.steps());
   write_vtp(vtp, motion_.picture());
+  wrote(vtp);
   pvd_.add(motion_.time(), vtp.lexically_relative(folder_.path()).string());
 }
 
 void RunWriter::write_reference_meshes() {
   const long frame = motion_.steps() * output_.reference_frames;
-  if (due(motion_.steps(), output_.rec_every)) write_rec(folder_.rec(frame), motion_.record(), output_.rec_flavour);
-  if (due(motion_.steps(), output_.obj_every))
+  if (due(motion_.steps(), output_.rec_every)) {
+    write_rec(folder_.rec(frame), motion_.record(), output_.rec_flavour);
+    wrote(folder_.rec(frame));
+  }
+  if (due(motion_.steps(), output_.obj_every)) {
     write_obj(folder_.obj(frame), from_mesh(motion_.mesh()), ObjNormals::with);
+    wrote(folder_.obj(frame));
+  }
+}
+
+void RunWriter::wrote(const std::filesystem::path& file) {
+  if (saves_checkpoints_) since_checkpoint_.push_back(file);
 }
 
 void RunWriter::write_checkpoint() {
   if (!saves_checkpoints_ || motion_.steps() == last_checkpoint_) return;
+  const double begin = watch_.seconds();
   nlohmann::json content = nlohmann::json::object();
   motion_.save(content);
+  wait_for_what_was_written();
   run::write_checkpoint(folder_.checkpoint(), output_.checkpoint, content);
   last_checkpoint_ = motion_.steps();
+  checkpoint_interval_.written(begin, watch_.seconds());
+}
+
+// A run goes on behind its checkpoint: after a power cut, too, the tables and frames until there are needed.
+void RunWriter::wait_for_what_was_written() {
+  std::set<std::filesystem::path> folders{folder_.path()};
+  for (const OpenTable& open : tables_) base::wait_for_disk(folder_.path() / open.table.file);
+  if (output_.vtp) base::wait_for_disk(folder_.pvd());
+  for (const std::filesystem::path& file : since_checkpoint_) {
+    base::wait_for_disk(file);
+    folders.insert(file.parent_path());
+  }
+  for (const std::filesystem::path& folder : folders) base::wait_for_disk(folder);
+  since_checkpoint_.clear();
 }
 
 void RunWriter::write_json(const std::string& ended, const Outcome& outcome) const {

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "Base/io/csv_table.h"
+#include "Base/timing/stopwatch.h"
 #include "LosTopos/io/pvd.h"
+#include "LosTopos/run/checkpoint_interval.h"
 #include "LosTopos/run/run.h"
 #include "LosTopos/run/run_folder.h"
 
@@ -38,7 +40,9 @@ class RunWriter {
   void write_rows();
   void write_frame();
   void write_reference_meshes();
+  void wrote(const std::filesystem::path& file);
   void write_checkpoint();
+  void wait_for_what_was_written();
 
   const Motion& motion_;
   const Output& output_;
@@ -47,6 +51,9 @@ class RunWriter {
   PvdWriter pvd_;
   std::filesystem::path last_frame_;
   long last_checkpoint_ = -1;
+  base::Stopwatch watch_;
+  CheckpointInterval checkpoint_interval_;
+  std::vector<std::filesystem::path> since_checkpoint_;  // frames and meshes
   bool saves_checkpoints_ = false;
 };
 

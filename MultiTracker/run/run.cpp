@@ -15,6 +15,7 @@ lostopos::run::Output output_of(const Tracking& tracking, const RunSettings& set
   output.go_on = settings.go_on;
   output.frame_every = origin.options.whole("frame_every");
   output.checkpoint_every = origin.options.whole("checkpoint_every");
+  output.checkpoint_seconds = origin.options.number("checkpoint_seconds");
   output.rec_every = origin.options.whole("rec_every");
   output.obj_every = origin.options.whole("obj_every");
   output.rec_flavour = lostopos::RecFlavour::Tracker;

@@ -40,7 +40,10 @@ std::vector<base::OptionSpec> common_option_specs() {
       base::whole_number("frame_every", 10, 0, "steps from one frame to the next; 0: only the first and the last"),
       base::whole_number("rec_every", 0, 0, "steps between meshes as the reference writes them, .rec; 0: none"),
       base::whole_number("obj_every", 0, 0, "steps between .obj meshes with normals; 0: none"),
-      base::whole_number("checkpoint_every", 500, 0, "steps between checkpoints; 0: at the end only"),
+      base::whole_number("checkpoint_every", 0, 0, "steps between checkpoints; 0: by checkpoint_seconds alone"),
+      base::non_negative_number("checkpoint_seconds", 30,
+                                "wall time between checkpoints, s, longer where they would take over 1% of it; 0: by "
+                                "checkpoint_every and at the end only"),
       base::whole_number("seed", 1, 0, "seed of everything random"),
   };
   lostopos::TrackerOptions plain;

@@ -15,7 +15,6 @@ std::vector<ComparedRun> run_figure1(const Figure1Options& options, const RunSet
   const long steps = std::lround(options.time / scene.options.number("dt"));
   scene.options.set("frame_every", std::max(1L, steps / options.frames), "figure 1");
   scene.options.set("metrics_every", 5L, "figure 1");
-  scene.options.set("checkpoint_every", 0L, "figure 1");
   RunSettings own = settings;
   own.stop = {options.time, {}, false};
   return compare_areas(scene, {compared_methods.begin(), compared_methods.end()}, own, hooks_for);

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <numbers>
 
+#include "Base/io/write_error.h"
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/scenes/methods.h"
 #include "FoamSim/scenes/shapes/exact_double_bubble.h"
@@ -76,7 +77,7 @@ class Table1 {
   std::vector<Table1Row> make() {
     // All scenes first: an error in one is found before anything is written.
     for (const Case& c : cases_) report_scene_to_rest(c.n, c.area);
-    std::filesystem::create_directories(settings_.out);
+    base::make_folder(settings_.out);
     std::vector<Table1Row> asked;
     for (const Case& c : cases_) {
       if (find(c) == rows_.end() && !run(c)) break;
@@ -99,7 +100,6 @@ class Table1 {
     run.command = settings_.command;
     Scene scene = report_scene_to_rest(c.n, c.area);
     scene.options.set("frame_every", 0L, "table 1");
-    scene.options.set("checkpoint_every", 0L, "table 1");
     const double begin = work_done_ / work_left_;
     work_done_ += work(c.n);
     const RunHooks own = hooks_.run ? hooks_.run(c.area, c.n, begin, work_done_ / work_left_) : RunHooks();

@@ -1,34 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <vector>
 
 #include "program.h"
+#include "tables.h"
 
 namespace foamsim::test {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-// Columns that hold wall times differ from run to run; all others have to be the same.
-std::string without_seconds(const std::string& table) {
-  std::istringstream in(table);
-  std::string result;
-  std::vector<bool> kept;
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream cells(line);
-    std::string cell;
-    const bool header = kept.empty();
-    for (std::size_t column = 0; std::getline(cells, cell, ','); ++column) {
-      if (header) kept.push_back(!cell.ends_with("_seconds"));
-      if (kept[column]) result += cell + ",";
-    }
-    result += "\n";
-  }
-  return result;
-}
 
 TEST(InterruptedRun, FinishesTheStepAndSaysSo) {
   const ScratchFolder scratch;

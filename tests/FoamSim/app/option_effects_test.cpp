@@ -68,6 +68,7 @@ const std::vector<Change>& changes() {
       {"frame_every", "doublebubble", "frame_every=1"},
       {"metrics_every", "doublebubble", "metrics_every=2"},
       {"checkpoint_every", "doublebubble", "checkpoint_every=1"},
+      {"checkpoint_seconds", "doublebubble", "checkpoint_seconds=1e-9"},
       {"rec_every", "doublebubble", "rec_every=1"},
       {"obj_every", "doublebubble", "obj_every=1"},
       {"resolution_mean", "doublebubble", "resolution_mean=triangle-sides"},
@@ -147,7 +148,8 @@ bool seen_elsewhere(const std::string& key) {
          key.starts_with("topology.") ||  // where films meet: TopologyOptionsOfScenes
          key == "load_dir" ||             // FoamStart, LoadScene
          key == "air_by_stage" ||         // AirByStage
-         key == "checkpoint_every" ||     // in an interrupted run only: InterruptedRun.CanBeResumed
+         key == "checkpoint_every" ||     // in an interrupted run only: InterruptedRun, KilledRun
+         key == "checkpoint_seconds" ||   // the same
          key == "pressure";               // there is one
 }
 

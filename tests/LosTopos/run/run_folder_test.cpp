@@ -125,6 +125,59 @@ TEST(RunFolder, ListsNoFrameTwiceWhenAFinishedRunIsResumed) {
   EXPECT_EQ(outcome.last_frame.filename(), "frame_000007.ply");
 }
 
+// As where somebody has made room: frames are taken away, and surface.pvd still lists them.
+TEST(RunFolder, ListsNoFrameTwiceWhenTheLastIsWrittenAnew) {
+  const ScratchFolder scratch;
+  FakeMotion motion;
+  run_motion(motion, {.last_step = 7}, output_in(scratch.path() / "run"));
+  const auto before = frames_listed(scratch.path() / "run");
+  fs::remove_all(scratch.path() / "run/frames");
+  go_on(scratch.path() / "run", 7);
+  EXPECT_EQ(frames_listed(scratch.path() / "run"), before);
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/frames/frame_000007.ply"));
+}
+
+TEST(RunFolder, HasCheckpointsByWallTime) {
+  const ScratchFolder scratch;
+  FakeMotion motion;
+  Output output = output_in(scratch.path() / "run");
+  output.checkpoint_every = 0;
+  output.checkpoint_seconds = 1e-9;
+  Hooks hooks;
+  std::vector<bool> there;
+  hooks.stepped = [&](double) { there.push_back(fs::exists(scratch.path() / "run/checkpoint.cbor")); };
+  run_motion(motion, {.last_step = 2}, output, hooks);
+  EXPECT_EQ(there, (std::vector<bool>{true, true}));
+  output.checkpoint_seconds = 0;
+  output.force = true;
+  FakeMotion other;
+  there.clear();
+  run_motion(other, {.last_step = 2}, output, hooks);
+  EXPECT_EQ(there, (std::vector<bool>{false, false}));
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/checkpoint.cbor"));
+}
+
+// What a killed run has not finished, in the folder and below.
+TEST(RunFolder, IsRidOfUnfinishedFilesWhenARunGoesOnOrReplacesIt) {
+  const ScratchFolder scratch;
+  FakeMotion motion;
+  run_motion(motion, {.last_step = 2}, output_in(scratch.path() / "run"));
+  const std::vector<std::string> stale{scratch / "run/.checkpoint.cbor.4194305-0.tmp",
+                                       scratch / "run/frames/.frame_000001.ply.4194305-0.tmp"};
+  const auto leave_them = [&] {
+    for (const std::string& file : stale) std::ofstream(file) << "half";
+  };
+  leave_them();
+  go_on(scratch.path() / "run", 3);
+  for (const std::string& file : stale) EXPECT_FALSE(fs::exists(file)) << file;
+  leave_them();
+  Output output = output_in(scratch.path() / "run");
+  output.force = true;
+  FakeMotion other;
+  run_motion(other, {.last_step = 3}, output);
+  for (const std::string& file : stale) EXPECT_FALSE(fs::exists(file)) << file;
+}
+
 TEST(RunFolder, KeepsTheLastGoodStateOfAFailure) {
   const ScratchFolder scratch;
   FakeMotion motion;
@@ -172,6 +225,18 @@ TEST(RunFolder, HasNoCheckpointOfWhatCannotBeResumed) {
   motion.saved = false;
   EXPECT_TRUE(run_motion(motion, {.last_step = 5}, output_in(scratch.path() / "run")).checkpoint.empty());
   EXPECT_FALSE(fs::exists(scratch.path() / "run/checkpoint.cbor"));
+}
+
+TEST(Checkpoint, ThatARunDidNotComeToIsMissedWithTheWayOn) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "run");
+  std::ofstream(scratch / "run/run.json") << "{}";
+  try {
+    FakeMotion::resumed(scratch / "run/checkpoint.cbor");
+    FAIL();
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--force"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Checkpoint, OfAnotherProgramVersionOrCutOffIsRefusedByName) {

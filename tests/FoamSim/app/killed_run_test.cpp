@@ -1,0 +1,86 @@
+// A run that is killed (kill -9) at any time goes on to the bits of one that was not.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "program.h"
+#include "tables.h"
+
+namespace foamsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a user does after a kill: goes on where there is a checkpoint, and begins anew where there is none yet.
+std::string command_after_kill(const std::string& scene, const std::string& folder) {
+  if (fs::exists(folder + "/checkpoint.cbor")) return "run --resume " + folder + " --steps 60 --quiet";
+  return scene + " --quiet --force --out " + folder;
+}
+
+void expect_same_files(const fs::path& one, const fs::path& other) {
+  std::vector<fs::path> names;
+  for (const fs::path& folder : {one, other})
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder));
+  for (const fs::path& name : names) {
+    ASSERT_TRUE(fs::exists(one / name) && fs::exists(other / name)) << name;
+    const std::string a = read_file(one / name), b = read_file(other / name);
+    if (name == "run.json") {
+      for (const char* key : {"ended", "last_step", "time", "options", "last_frame"})
+        EXPECT_EQ(nlohmann::json::parse(a)[key], nlohmann::json::parse(b)[key]) << key;
+    } else if (name == "metrics.csv") {
+      EXPECT_EQ(without_seconds(a), without_seconds(b));
+    } else if (name != "checkpoint.cbor") {  // which holds seconds, too
+      EXPECT_TRUE(a == b) << name;
+    }
+  }
+}
+
+TEST(KilledRun, GoesOnToTheSameBitsAndLeavesNothingBehind) {
+  constexpr int most_kills = 12;
+  std::mt19937 random(15);
+  std::uniform_real_distribution<double> seconds(0.05, 0.9);
+  const std::string scene =
+      "run doublebubble --set n=12 --set vtp=true --set frame_every=7 --set checkpoint_every=3 --steps 60";
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim(scene + " --quiet --out " + (scratch / "whole")).exit_code, 0);
+  for (int round = 0; round < 2; ++round) {
+    const std::string folder = scratch / "parts" + std::to_string(round);
+    int kills = 0, code = 137;
+    for (; kills < most_kills && code == 137; ++kills)
+      code = run_foamsim(command_after_kill(scene, folder), "timeout -s KILL " + std::to_string(seconds(random)))
+                 .exit_code;
+    if (code != 0) code = run_foamsim(command_after_kill(scene, folder)).exit_code;
+    ASSERT_EQ(code, 0);
+    EXPECT_GT(kills, 1) << "it was too fast to be killed";
+    expect_same_files(scratch / "whole", folder);
+  }
+}
+
+// run.json tells what it was, from the start on, also of one that nobody saw end.
+TEST(KilledRun, IsToldByItsFolder) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch / "run";
+  run_foamsim("run doublebubble --set n=12 --steps 1000000 --out " + folder, "timeout -s KILL 1");
+  const auto run = nlohmann::json::parse(read_file(folder + "/run.json"));
+  EXPECT_EQ(run["ended"], "running");
+  EXPECT_EQ(run["scene"], "doublebubble");
+  EXPECT_EQ(run["options"]["n"], 12);
+  EXPECT_NE(run["command"].get<std::string>().find("--set n=12"), std::string::npos);
+  const ProgramResult early = run_foamsim("run --resume " + folder);
+  EXPECT_EQ(early.exit_code, 2);
+  EXPECT_NE(early.error.find("before its first checkpoint"), std::string::npos) << early.error;
+}
+
+TEST(KilledRun, HasACheckpointByWallTime) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch / "run";
+  run_foamsim("run doublebubble --set n=12 --set checkpoint_seconds=0.3 --steps 1000000 --out " + folder,
+              "timeout -s KILL 2");
+  EXPECT_EQ(run_foamsim("run --resume " + folder + " --steps 1").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace foamsim::test

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace foamsim::test {
+
+/// A table without its columns of wall times, which differ from run to run where all others have to be the same.
+inline std::string without_seconds(const std::string& table) {
+  std::istringstream in(table);
+  std::string result;
+  std::vector<bool> kept;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream cells(line);
+    std::string cell;
+    const bool header = kept.empty();
+    for (std::size_t column = 0; std::getline(cells, cell, ','); ++column) {
+      if (header) kept.push_back(!cell.ends_with("_seconds"));
+      if (kept[column]) result += cell + ",";
+    }
+    result += "\n";
+  }
+  return result;
+}
+
+}  // namespace foamsim::test

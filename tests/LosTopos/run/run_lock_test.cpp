@@ -1,11 +1,12 @@
 // One run at a time works in a folder.
+#include "LosTopos/run/run_lock.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "LosTopos/run/run_lock.h"
 #include "tests/LosTopos/run/fake_motion.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scratch_folder.h"

@@ -35,8 +35,8 @@ TEST(TemporaryFiles, OfEndedProcessesAreRemovedAndNothingElse) {
                                     ".a.csv.x-0.tmp",
                                     ".a.csv.-3-0.tmp"};
   for (const std::string& name : stays) std::ofstream(scratch / name) << "x";
-  for (const std::string name : {"a.csv", "with.dots-and-0.dashes"})
-    std::ofstream(scratch / ("." + name + "." + dead + "-12.tmp")) << "x";
+  std::ofstream(scratch / (".a.csv." + dead + "-12.tmp")) << "x";
+  std::ofstream(scratch / (".with.dots-and-0.dashes." + dead + "-12.tmp")) << "x";
   // Of a process before this one that had its number.
   std::ofstream(temporary_name(scratch / "b.csv", 0)) << "x";
   remove_stale_temporaries(scratch.path());

@@ -53,6 +53,7 @@ SurfaceData read_arec(const std::filesystem::path& path) {
   }
   if (const std::string_view word = text.next_word(); !word.empty())
     text.fail(in_quotes(word) + " follows the last triangle; a count is too small");
+  require_edges_in_range(data, path.string());
   return data;
 }
 

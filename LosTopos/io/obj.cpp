@@ -42,6 +42,7 @@ class ObjReader {
       throw_at_line(name_, largest_corner_line_,
                     "the face names vertex " + std::to_string(largest_corner_) + ", but the file has only " +
                         std::to_string(data_.positions.size()));
+    require_edges_in_range(data_, name_);
     return std::move(data_);
   }
 

@@ -142,12 +142,17 @@ class PlyReader {
 SurfaceData read_ply(const std::filesystem::path& path) {
   ByteReader bytes(path);
   const PlyHeader header = read_ply_header(bytes);
+  SurfaceData data;
   if (header.encoding == PlyEncoding::Ascii) {
     PlyAsciiValues values(bytes, header.lines);
-    return PlyReader(header, values).read();
+    data = PlyReader(header, values).read();
+  } else {
+    PlyBinaryValues values(bytes,
+                           header.encoding == PlyEncoding::LittleEndian ? std::endian::little : std::endian::big);
+    data = PlyReader(header, values).read();
   }
-  PlyBinaryValues values(bytes, header.encoding == PlyEncoding::LittleEndian ? std::endian::little : std::endian::big);
-  return PlyReader(header, values).read();
+  require_edges_in_range(data, bytes.name());
+  return data;
 }
 
 }  // namespace lostopos

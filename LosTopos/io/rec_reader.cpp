@@ -53,6 +53,7 @@ class RecReader {
       read_vertices_with_circulation();
       read_held();
     }
+    require_edges_in_range(data_, bytes_.name());
     return std::move(data_);
   }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "Base/io/number_text.h"
+#include "Base/error.h"
 #include "LosTopos/io/surface_data.h"
 
 namespace lostopos {
@@ -14,16 +14,6 @@ std::string count_problem(std::uint64_t count, std::uint64_t most, const char* w
 }
 
 }  // namespace
-
-std::string position_problem(const Vec3& position) {
-  if (position.allFinite()) return {};
-  std::string text = "the position is (";
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0) text += ", ";
-    base::append_number(text, position[i]);
-  }
-  return text + "); its coordinates have to be finite";
-}
 
 std::string corner_problem(const std::array<std::int64_t, 3>& corners, std::uint64_t vertex_count,
                            std::int64_t first_number) {
@@ -63,6 +53,17 @@ std::array<std::uint32_t, 3> checked_corners(const std::array<std::int64_t, 3>& 
 
 Labels checked_labels(std::int64_t p, std::int64_t q) {
   return {Region{static_cast<std::size_t>(p)}, Region{static_cast<std::size_t>(q)}};
+}
+
+void require_edges_in_range(const SurfaceData& data, const std::string& place) {
+  for (std::size_t t = 0; t < data.triangles.size(); ++t) {
+    const auto& corners = data.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::string problem = edge_problem(data.positions[corners[i]], data.positions[corners[(i + 1) % 3]]);
+      if (!problem.empty())
+        throw base::InputError((place.empty() ? "" : place + ": ") + "triangle " + std::to_string(t) + ": " + problem);
+    }
+  }
 }
 
 }  // namespace lostopos

@@ -5,14 +5,13 @@
 #include <string>
 
 #include "LosTopos/mesh/handles.h"
-#include "LosTopos/vec3.h"
+#include "LosTopos/mesh/length_range.h"
 
 namespace lostopos {
 
 /// What is wrong with a part of a surface that was read, to be reported with its place in the file; empty when nothing
-/// is. Numbers are taken as wide as files have them.
+/// is; of positions: see length_range.h. Numbers are taken as wide as files have them.
 /// @{
-std::string position_problem(const Vec3& position);
 /// `corners` count from 0; the message counts from `first_number`, as the format does.
 std::string corner_problem(const std::array<std::int64_t, 3>& corners, std::uint64_t vertex_count,
                            std::int64_t first_number = 0);
@@ -26,5 +25,11 @@ std::string triangle_count_problem(std::uint64_t count);
 std::array<std::uint32_t, 3> checked_corners(const std::array<std::int64_t, 3>& corners);
 Labels checked_labels(std::int64_t p, std::int64_t q);
 /// @}
+
+struct SurfaceData;
+
+/// Throws InputError, with the triangle behind `place`, when an edge is too short to be computed with; for readers, at
+/// the end.
+void require_edges_in_range(const SurfaceData& data, const std::string& place = {});
 
 }  // namespace lostopos

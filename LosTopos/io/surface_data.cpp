@@ -71,6 +71,7 @@ void validate(const SurfaceData& data) {
     require_none(corner_problem({a, b, c}, data.positions.size()), "triangle", t);
     require_none(label_problem(data.labels[t].p.index(), data.labels[t].q.index()), "triangle", t);
   }
+  require_edges_in_range(data);
   for (const PairArray& array : data.pair_arrays) validate_pairs(data, array);
   for (std::size_t i = 0; i < data.held.size(); ++i) {
     require_none(position_problem(data.held[i].position), "held vertex", i);

@@ -71,9 +71,10 @@ inline constexpr std::uint64_t most_vertices = 0x7fffffff;
 inline constexpr std::uint64_t most_triangles = 0x55555554;
 inline constexpr std::uint32_t largest_region = 0x7fffffff;
 
-/// Throws InputError, with the number of the element, unless the data makes a surface: finite positions, existing and
-/// different corners, two different labels of at most `largest_region`, arrays of the right length, everything within
-/// the limits. A triangle may occur twice. What a reader returns is valid, and writers refuse what is not.
+/// Throws InputError, with the number of the element, unless the data makes a surface: finite positions and lengths in
+/// the range of length_range.h, existing and different corners, two different labels of at most `largest_region`,
+/// arrays of the right length, everything within the limits. A triangle may occur twice. What a reader returns is
+/// valid, and writers refuse what is not.
 void validate(const SurfaceData& data);
 
 /// The smallest n such that all regions of labels and pair arrays, and `declared_regions`, are below n.

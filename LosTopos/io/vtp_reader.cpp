@@ -111,6 +111,7 @@ class SurfaceAssembler {
     assemble_labels();
     move_arrays(piece_.point_data, piece_.vertices, data_.vertex_arrays);
     move_arrays(piece_.cell_data, piece_.triangles, data_.triangle_arrays);
+    require_edges_in_range(data_, name_);
     return std::move(data_);
   }
 

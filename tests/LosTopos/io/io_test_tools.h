@@ -83,8 +83,8 @@ class Bytes {
 /// Two tetrahedra, regions 1 and 2, that share a face; positions that need all digits; one vertex without triangles.
 inline SurfaceData two_tetrahedra() {
   SurfaceData data;
-  data.positions = {{0.0, 0.0, 0.0},         {1.0, 0.0, 0.1},    {-0.0, 1.0 / 3.0, 5e-324},
-                    {0.1, 0.2, 1.0 + 1e-16}, {0.3, 0.3, -1e300}, {-1.7976931348623157e308, 2.2250738585072014e-308, 7}};
+  data.positions = {{0.0, 0.0, 0.0},         {1.0, 0.0, 0.1},   {-0.0, 1.0 / 3.0, 5e-324},
+                    {0.1, 0.2, 1.0 + 1e-16}, {0.3, 0.3, -1e40}, {-1e40, 2.2250738585072014e-308, 7}};
   data.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
   const Region one{1}, two{2};
   data.labels = {{one, air}, {one, air}, {one, air}, {one, two}, {air, two}, {air, two}, {air, two}};

@@ -49,6 +49,9 @@ TEST(SurfaceData, WhatIsNotValidIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<const char*, Damage> cases[] = {
       {"vertex 1: ", [](SurfaceData& d) { d.positions[1].y() = std::numeric_limits<double>::infinity(); }},
+      {"vertex 1: the position is (1, 1e+100, ", [](SurfaceData& d) { d.positions[1].y() = 1e100; }},
+      {"vertex 1: the position is (-1.", [](SurfaceData& d) { d.positions[1].x() = -1.01e40; }},
+      {"triangle 0: the edge from ", [](SurfaceData& d) { d.positions[1] = d.positions[0] + Vec3(0, 1e-41, 0); }},
       {"triangle 2: ", [](SurfaceData& d) { d.triangles[2][0] = 6; }},
       {"triangle 2: ", [](SurfaceData& d) { d.triangles[2][0] = d.triangles[2][1]; }},
       {"triangle 3: ", [](SurfaceData& d) { d.labels[3].p = d.labels[3].q; }},

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "Base/error.h"
+#include "Base/io/file_size.h"
 #include "Base/names/nearest_name.h"
 
 namespace lostopos {
@@ -57,6 +58,7 @@ std::string reference_key_rows(std::span<const ReferenceKey> keys) {
 ReferenceValues::ReferenceValues(const std::string& file, std::span<const ReferenceKey> keys)
     : file_(file), keys_(keys) {
   for (const ReferenceKey& key : keys) absent_[std::string(key.name)] = {std::string(key.absent), file};
+  base::require_text_file(file, "option file");
   std::ifstream stream(file);
   if (!stream) throw base::FileError(file + ": there is no such option file, or it cannot be read");
   std::string text;

@@ -1,8 +1,7 @@
 #include "FoamSim/scenes/toml_values.h"
 
-#include <filesystem>
-
 #include "Base/error.h"
+#include "Base/io/file_size.h"
 
 namespace foamsim {
 
@@ -11,7 +10,7 @@ std::string toml_place(const std::string& file, const toml::source_region& sourc
 }
 
 toml::table parse_toml(const std::string& file, const std::string& what) {
-  if (!std::filesystem::is_regular_file(file)) throw base::FileError(file + ": there is no such " + what);
+  base::require_text_file(file, what);
   try {
     return toml::parse_file(file);
   } catch (const toml::parse_error& error) {

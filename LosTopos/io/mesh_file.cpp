@@ -6,6 +6,7 @@
 
 #include "Base/error.h"
 #include "Base/io/number_text.h"
+#include "Base/machine/memory.h"
 #include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/read_error.h"
@@ -22,12 +23,13 @@ void write_soap_film_rec(const std::filesystem::path& path, const SurfaceData& d
 }
 
 constexpr std::array<MeshFormat, 5> formats{
-    {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, read_ply, write_ply},
-     {".obj", "Wavefront OBJ, labels in groups region_P_Q", false, false, read_obj, write_obj},
-     {".vtp", "ParaView XML PolyData, with arrays", false, true, read_vtp, write_vtp},
+    {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, read_ply, write_ply,
+      4},
+     {".obj", "Wavefront OBJ, labels in groups region_P_Q", false, false, read_obj, write_obj, 5},
+     {".vtp", "ParaView XML PolyData, with arrays", false, true, read_vtp, write_vtp, 12},
      {".rec", "binary record of the soap-film program, with circulation (read: the tracker program's too)", true, false,
-      read_rec, write_soap_film_rec},
-     {".arec", "text record of the tracker program", false, false, read_arec, write_arec}}};
+      read_rec, write_soap_film_rec, 1.5},
+     {".arec", "text record of the tracker program", false, false, read_arec, write_arec, 4}}};
 
 const MeshFormat* format_named(std::string_view extension) {
   const auto found = std::ranges::find(formats, extension, &MeshFormat::extension);
@@ -54,6 +56,20 @@ const MeshFormat* sniff_text(std::string_view start) {
     break;
   }
   return base::parse_integer(first) ? format_named(".arec") : nullptr;
+}
+
+// Looked at before the file is read: its text is held as a whole.
+void require_memory(const std::filesystem::path& path, const MeshFormat& format) {
+  constexpr double share_of_free = 0.8;
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  const auto available = base::available_memory();
+  if (failed || !available) return;  // reading says what is wrong with the file
+  const double needed = format.memory_of_byte * static_cast<double>(size);
+  if (needed <= share_of_free * *available) return;
+  throw base::InputError("'" + path.string() + "' has " + base::bytes_in_words(static_cast<double>(size)) +
+                         ", and reading it may take " + base::bytes_in_words(needed) + " of memory; " +
+                         base::bytes_in_words(share_of_free * *available) + " can be taken here");
 }
 
 [[noreturn]] void throw_unknown(const std::filesystem::path& path, const std::string& problem) {
@@ -94,7 +110,9 @@ SurfaceData read_surface(const std::filesystem::path& path) {
   if (named && shown && named != shown)
     throw base::InputError("'" + path.string() + "' has the content of a " + std::string(shown->extension) +
                            " file; rename it");
-  return (named ? named : shown)->read(path);
+  const MeshFormat& format = named ? *named : *shown;
+  require_memory(path, format);
+  return format.read(path);
 }
 
 void write_surface(const std::filesystem::path& path, const SurfaceData& data) {

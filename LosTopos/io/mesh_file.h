@@ -17,6 +17,7 @@ struct MeshFormat {
   bool keeps_arrays;             ///< vertex and triangle arrays
   SurfaceData (*read)(const std::filesystem::path&);
   void (*write)(const std::filesystem::path&, const SurfaceData&);
+  double memory_of_byte;  ///< most bytes of memory that reading takes for each of the file
 };
 
 /// All formats. Each keeps positions, triangles, labels and their order, to the bit.
@@ -33,7 +34,8 @@ const MeshFormat* sniff_mesh_format(const std::filesystem::path& path);
 
 /// Reads a surface in the format that the path's extension names; without a known extension, in the one that the
 /// content shows. Throws InputError when there is no such format, when the content is plainly another one's, or when it
-/// is malformed; FileError when the file cannot be read. `to_mesh` takes whatever this returns.
+/// is malformed, or when reading it may take more than 80% of what memory is left; FileError when the file cannot be
+/// read. `to_mesh` takes whatever this returns.
 SurfaceData read_surface(const std::filesystem::path& path);
 
 /// Writes a surface in the format that the path's extension names; what that format does not keep is left out (see

@@ -6,6 +6,7 @@
 
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/error.h"
+#include "LosTopos/mesh/length_range.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/limits.h"
@@ -43,8 +44,13 @@ SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
       solid_(mesh_.add_triangle_attribute<std::uint8_t>("solid", carry::copy)),
       near_(margins_of(options)) {
   options_.remesh.target_edge = options_.resolution;
+  options_.remesh.interruption = options_.move.interruption = options_.interruption;
   if ((options_.remeshing || options_.collisions) && !(options_.resolution > 0))
     throw base::InputError("a tracker that remeshes or keeps surfaces apart needs a resolution > 0");
+  if (options_.resolution > 0)
+    if (const std::string problem = resolution_problem(options_.resolution); !problem.empty())
+      throw base::InputError(problem);
+  require_lengths_in_range(mesh_);
   if (options_.remeshing) limits_of(options_.remesh);  // throws where bounds contradict each other
   if (options_.topology.enabled) motion_ = mesh_.add_vertex_attribute<Vec3>("motion", carry::interpolate, Vec3::Zero());
 }
@@ -75,14 +81,15 @@ void SurfaceTracker::require_resolved(std::span<const Vec3> predicted) const {
   for (Vertex v : mesh_.vertices()) {
     const Vec3& x = mesh_.position(v);
     const Vec3& to = predicted[v.index()];
-    if (to.allFinite() && !((to - x).norm() > farthest)) continue;
+    const bool in_range = (to.array().abs() <= largest_length).all();
+    if (in_range && !((to - x).norm() > farthest)) continue;
     std::ostringstream message;
     message << "cannot move vertex " << v.index() << " from (" << x.transpose() << ") to (" << to.transpose() << "): ";
-    if (to.allFinite())
+    if (in_range)
       message << "that is more than " << options_.largest_motion
               << " resolutions in one step; a smaller dt resolves it";
     else
-      message << "the predicted position is not finite";
+      message << "the predicted position is not finite, or beyond the lengths that can be computed with";
     throw MotionError(message.str());
   }
 }
@@ -153,6 +160,7 @@ TrackerStep SurfaceTracker::step(std::span<const Vec3> predicted, const FollowsM
   }
   std::vector<Vec3> targets;
   for (int part = 0; part < parts; ++part) {
+    options_.interruption.check();
     targets.assign(mesh_.positions().begin(), mesh_.positions().end());
     for (Vertex v : mesh_.vertices())
       if (part == 0 || !follows || follows(v)) targets[v.index()] += (*motion_)[v] / parts;

@@ -27,8 +27,10 @@ struct TrackerOptions {
   double largest_motion = 20;       ///< over h̄: a step that moves a vertex farther is not resolved, and refused
   bool remeshing = true;            ///< false: `remesh` does nothing
   int remeshing_iterations = 1;     ///< passes a call of `remesh`
-  RemeshOptions remesh = {};        ///< its target_edge is set from `resolution`
+  RemeshOptions remesh = {};        ///< its target_edge is set from `resolution`, its interruption from the one below
   TopologyOptions topology = {};
+  /// Asked within long loops; an operation that is interrupted throws base::Interrupted.
+  base::Interruption interruption = {};
 };
 
 /// What a step of the tracker did; sums over its parts, see TopologyOptions::longest_motion.
@@ -56,7 +58,7 @@ using AfterStage = std::function<void(TrackerStage)>;
 /// triangles well shaped: the one class that a simulation talks to.
 class SurfaceTracker {
  public:
-  /// Throws InputError for options out of range.
+  /// Throws InputError for options, positions or edges out of range (see mesh/length_range.h).
   explicit SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options = {});
 
   /// All that a tracker carries from step to step: the mesh, and with it all named attributes, what is held and solid
@@ -90,8 +92,9 @@ class SurfaceTracker {
   /// topology where that is asked for, and remeshes. A motion in which surfaces collide and that is long (see
   /// TopologyOptions::longest_motion) is done in equal parts with topology and remeshing after each, and is carried
   /// along by the vertices through these operations; those that do not follow it any more (`follows`; empty: all do)
-  /// stay for the rest of the step. When a part throws, the surface is as the parts before have left it. `after`, where
-  /// there is one, is called after every stage of every part, and must not change the surface.
+  /// stay for the rest of the step. When a part throws, the surface is as the operations before have left it: whole,
+  /// and somewhere within the step (see `state`). `after`, where there is one, is called after every stage of every
+  /// part, and must not change the surface.
   TrackerStep step(std::span<const Vec3> predicted, const FollowsMotion& follows = {}, const AfterStage& after = {});
 
   /// Moves every living vertex in a straight line to, or near, its entry of `predicted` (L, indexed by vertex handle,

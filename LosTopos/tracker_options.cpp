@@ -1,10 +1,13 @@
 #include "LosTopos/tracker_options.h"
 
+#include "LosTopos/memory_limit.h"
+
 namespace lostopos {
 namespace {
 
 constexpr const char* by_area = "area";
 constexpr const char* by_flow = "flow";
+constexpr long most_rounds = 1000;
 
 base::OptionSpec separation_rule(SeparationRule rule) {
   return {"topology.separation", std::string(rule == SeparationRule::area ? by_area : by_flow),
@@ -22,7 +25,7 @@ void append(std::vector<base::OptionSpec>& specs, std::vector<base::OptionSpec> 
 std::vector<base::OptionSpec> remeshing_specs(const TrackerOptions& d) {
   return {
       base::flag("remeshing.enabled", d.remeshing, "split, collapse, flip and smooth triangles after every step"),
-      base::whole_number("remeshing.iterations", d.remeshing_iterations, 1, "remeshing passes a step"),
+      base::whole_between(1, most_rounds, d.remeshing_iterations, "remeshing.iterations", "remeshing passes a step"),
       base::positive_number("remeshing.shortest_edge", d.remesh.shortest_edge,
                             "shorter edges are collapsed, in resolutions"),
       base::positive_number("remeshing.longest_edge", d.remesh.longest_edge, "longer edges are split, in resolutions"),
@@ -54,7 +57,8 @@ std::vector<base::OptionSpec> topology_specs(const TopologyOptions& d) {
       base::positive_number("topology.smallest_region", d.smallest_region,
                             "a region that fits into a box with this diagonal vanishes, in resolutions"),
       separation_rule(d.separation),
-      base::whole_number("topology.max_sweeps", d.max_sweeps, 1, "how often a pass looks again at what it has made"),
+      base::whole_between(1, most_rounds, d.max_sweeps, "topology.max_sweeps",
+                          "how often a pass looks again at what it has made"),
       base::positive_number("topology.longest_motion", d.longest_motion,
                             "a longer motion is done in parts with topology between them, in resolutions"),
   };
@@ -67,14 +71,16 @@ std::vector<base::OptionSpec> tracker_option_specs(const TrackerOptions& default
       base::flag("tracker.collisions", defaults.collisions, "keep the films from intersecting"),
       base::non_negative_number("tracker.proximity", defaults.proximity_epsilon,
                                 "films nearer than this are pushed apart, in resolutions"),
+      memory_limit_spec(),
   };
   append(specs, remeshing_specs(defaults));
   append(specs, topology_specs(defaults.topology));
   return specs;
 }
 
-TrackerOptions tracker_options(const base::OptionSet& options) {
+TrackerOptions tracker_options(const base::OptionSet& options, double bytes_of_triangle) {
   TrackerOptions tracker;
+  tracker.remesh.most_triangles = triangles_within(memory_limit(options), bytes_of_triangle);
   tracker.collisions = options.flag("tracker.collisions");
   tracker.proximity_epsilon = options.number("tracker.proximity");
   tracker.remeshing = options.flag("remeshing.enabled");

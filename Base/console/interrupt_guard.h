@@ -5,8 +5,9 @@
 
 namespace base {
 
-/// Turns Ctrl-C (SIGINT), SIGTERM and SIGHUP into a question that a run asks after every step, while it lives; a second
-/// signal ends the program at once. Where SIGHUP is ignored (nohup) it stays so.
+/// Turns Ctrl-C (SIGINT), SIGTERM and SIGHUP into a question that a run asks between steps and within them (see
+/// interruption.h), while it lives; a second signal ends the program at once. Where SIGHUP is ignored (nohup) it stays
+/// so.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -6,8 +6,10 @@
 #include <cstring>
 #include <new>
 
+#include "Base/console/interrupt_guard.h"
 #include "Base/console/terminal.h"
 #include "Base/error.h"
+#include "Base/interruption.h"
 
 namespace base {
 namespace {
@@ -21,6 +23,9 @@ int run_and_report(CommandLine& line, int argc, const char* const* argv,
   } catch (const DiskError& error) {
     print_error(name, error.what());
     return exit_disk_full;
+  } catch (const Interrupted& stopped) {
+    print_error(name, stopped.what());
+    return InterruptGuard::exit_code();
   } catch (const InputError& error) {
     print_error(name, error.what());
     return exit_bad_input;

@@ -34,6 +34,14 @@ OptionSpec whole_number(std::string key, long default_value, long least, std::st
           [least](const OptionValue& value) { return std::get<long>(value) >= least; }};
 }
 
+OptionSpec whole_between(long least, long most, long default_value, std::string key, std::string summary) {
+  return {std::move(key), default_value, std::move(summary),
+          "a whole number from " + std::to_string(least) + " to " + std::to_string(most),
+          [least, most](const OptionValue& value) {
+            return std::get<long>(value) >= least && std::get<long>(value) <= most;
+          }};
+}
+
 OptionSpec flag(std::string key, bool default_value, std::string summary) {
   return {std::move(key), default_value, std::move(summary), "true or false"};
 }

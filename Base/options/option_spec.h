@@ -34,10 +34,12 @@ std::string to_text(const OptionSpec& spec, const OptionValue& value);
 /// The number that a word stands for with this option; null: none.
 const double* find_named_number(const OptionSpec& spec, std::string_view word);
 
-/// A finite number > 0 / ≥ 0, and a whole number ≥ least, as specs.
+/// A finite number > 0 / ≥ 0, and a whole number ≥ least / from least to most, as specs. Whatever says how much of
+/// something there is to be needs a most.
 OptionSpec positive_number(std::string key, double default_value, std::string summary);
 OptionSpec non_negative_number(std::string key, double default_value, std::string summary);
 OptionSpec whole_number(std::string key, long default_value, long least, std::string summary);
+OptionSpec whole_between(long least, long most, long default_value, std::string key, std::string summary);
 OptionSpec flag(std::string key, bool default_value, std::string summary);
 /// One of some words, or a list of them where the default is a list; `kind`: what they are names of.
 OptionSpec word_from(std::string key, OptionValue default_value, std::string summary, std::string kind,

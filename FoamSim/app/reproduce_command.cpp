@@ -74,7 +74,7 @@ bool table1(const ReproduceArguments& arguments, const Program& program) {
     return RunHooks{[&progress, begin, end](long step, double time, double fraction) {
                       progress->show(step, time, begin + fraction * (end - begin));
                     },
-                    [] { return InterruptGuard::interrupted(); }};
+                    [] { return InterruptGuard::interrupted(); }, [] { return InterruptGuard::interrupted(); }};
   };
   hooks.row = [&](const Table1Row& row) {
     progress->clear();

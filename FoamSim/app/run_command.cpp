@@ -101,6 +101,8 @@ int run(const RunArguments& arguments, const Program& program) {
     Progress progress(resuming ? "resumed" : scene.name, given.quiet);
     RunHooks hooks = hooks_for(progress);
     hooks.interrupted = [&ranks] { return ranks.any(InterruptGuard::interrupted()); };
+    // Several processes stop together, between steps.
+    if (ranks.size() > 1) hooks.interrupted_within = {};
     return run_scene(scene, settings, hooks);
   }();
   if (outcome.end == RunEnd::failed) {

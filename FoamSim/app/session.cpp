@@ -16,7 +16,7 @@ ThreadLimit thread_limit(int threads) {
 
 RunHooks hooks_for(Progress& progress) {
   return {[&progress](long step, double time, double fraction) { progress.show(step, time, fraction); },
-          [] { return InterruptGuard::interrupted(); },
+          [] { return InterruptGuard::interrupted(); }, [] { return InterruptGuard::interrupted(); },
           [](const std::string& note) { base::print_warning("foamsim", note); },
           [&progress](long done, long of) {
             progress.show("relaxing the start: step " + std::to_string(done) + " of " + std::to_string(of),

@@ -90,9 +90,9 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, std::shared_ptr<co
   return std::move(*checkpoint);
 }
 
-Simulation resume(const Checkpoint& checkpoint) try {
-  Simulation simulation =
-      make_simulation(checkpoint.scene, SurfaceMesh::from_state(checkpoint.state.tracker), checkpoint.resolution, {});
+Simulation resume(const Checkpoint& checkpoint, const base::Interruption& interruption) try {
+  Simulation simulation = make_simulation(checkpoint.scene, SurfaceMesh::from_state(checkpoint.state.tracker),
+                                          checkpoint.resolution, {}, interruption);
   simulation.restore(checkpoint.state);
   return simulation;
 } catch (const lostopos::MeshError& problem) {

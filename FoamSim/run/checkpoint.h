@@ -39,6 +39,6 @@ Checkpoint read_checkpoint(const std::filesystem::path& file,
                            std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());
 
 /// The simulation that goes on from the checkpoint. Throws base::InputError when its parts do not fit.
-Simulation resume(const Checkpoint& checkpoint);
+Simulation resume(const Checkpoint& checkpoint, const base::Interruption& interruption = {});
 
 }  // namespace foamsim

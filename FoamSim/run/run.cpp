@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/interruption.h"
 #include "Base/machine/memory.h"
 #include "Base/options/options_json.h"
 #include "FoamSim/run/scene_motion.h"
@@ -98,9 +99,9 @@ namespace {
 // What a user should know of a large scene before it is built.
 void look_at_size(const Scene& scene, const RunHooks& hooks) {
   constexpr double worth_a_word = 2e8;
-  const std::optional<SizeEstimate> size = estimated_size(scene);
+  const std::optional<lostopos::SizeEstimate> size = estimated_size(scene);
   if (!size) return;
-  if (const auto available = base::available_memory()) require_memory(*size, *available);
+  lostopos::require_memory(*size, lostopos::memory_limit(scene.options));
   if (size->bytes > worth_a_word && hooks.warn)
     hooks.warn("about " + base::to_text(std::round(size->triangles)) + " triangles, which take " +
                base::bytes_in_words(size->bytes) + " of memory");
@@ -112,13 +113,15 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
   const bool resuming = !settings.resume.empty();
   const auto checkpoint = resuming ? checkpoint_file(settings.resume) : std::filesystem::path();
   if (!resuming) look_at_size(scene, hooks);
-  // An interruption leaves the rest out, and ends the run at its start, with what there is.
+  // A start that is relaxed by half is none to go on from.
   const auto relaxing = [&hooks](long done, long of) {
     if (hooks.relaxed) hooks.relaxed(done, of);
-    return !(hooks.interrupted && hooks.interrupted());
+    base::Interruption{hooks.interrupted}.check();
+    return true;
   };
-  SceneMotion motion(resuming ? SceneMotion::beginning_of(read_checkpoint(checkpoint, scene.catalogue))
-                              : SceneMotion::beginning_of(scene, relaxing));
+  const base::Interruption within{hooks.interrupted_within};
+  SceneMotion motion(resuming ? SceneMotion::beginning_of(read_checkpoint(checkpoint, scene.catalogue), within)
+                              : SceneMotion::beginning_of(scene, relaxing, within));
   if (!resuming)
     for (const std::string& note : check_start(scene, motion.simulation(), motion.start()))
       if (hooks.warn) hooks.warn(note);

@@ -50,7 +50,10 @@ struct RunOutcome {
 struct RunHooks {
   std::function<void(long step, double time, double fraction_done)> progress;  ///< after every step
   std::function<bool()> interrupted;                                           ///< asked before every step
-  std::function<void(const std::string&)> warn = {};                           ///< what to know before the first step
+  /// Asked within steps, and while the start is made, too, often: cheap, and not by calls that are collective. A step
+  /// that is interrupted is undone.
+  std::function<bool()> interrupted_within = {};
+  std::function<void(const std::string&)> warn = {};     ///< what to know before the first step
   std::function<void(long done, long of)> relaxed = {};  ///< after every step towards a relaxed start
 };
 
@@ -60,8 +63,9 @@ inline constexpr double rest_patience = 500;
 /// Runs a scene and writes its folder (run.json, metrics.csv, volumes.csv, events.csv where the topology may change,
 /// frames, checkpoint). A simulation that cannot go on, or an interruption, ends the run with the last good state
 /// saved; base::InputError (bad scene, folder or checkpoint, a surface or resolution that check_start refuses, more
-/// steps than can be counted) is thrown, before anything is written where that is possible, and base::DiskError for a
-/// full disk.
+/// steps than can be counted, more memory than the option memory_limit) is thrown, before anything is written where
+/// that is possible, base::DiskError for a full disk, and base::Interrupted when the start was interrupted, before
+/// anything was written.
 RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunHooks& hooks = {});
 
 }  // namespace foamsim

@@ -12,14 +12,15 @@ namespace foamsim {
 
 using lostopos::run::Table;
 
-SceneMotion::Beginning SceneMotion::beginning_of(const Scene& scene, const RelaxationProgress& progress) {
-  Simulation simulation = make_simulation(scene, progress);
+SceneMotion::Beginning SceneMotion::beginning_of(const Scene& scene, const RelaxationProgress& progress,
+                                                 const base::Interruption& interruption) {
+  Simulation simulation = make_simulation(scene, progress, interruption);
   StartOfRun start{lostopos::closed_region_volumes(simulation.mesh()), lostopos::surface_centroid(simulation.mesh())};
   return {scene, std::move(simulation), std::move(start)};
 }
 
-SceneMotion::Beginning SceneMotion::beginning_of(Checkpoint checkpoint) {
-  Simulation simulation = resume(checkpoint);
+SceneMotion::Beginning SceneMotion::beginning_of(Checkpoint checkpoint, const base::Interruption& interruption) {
+  Simulation simulation = resume(checkpoint, interruption);
   std::optional<StepReport> before;
   if (checkpoint.state.steps > 0) before = checkpoint.last;
   return {std::move(checkpoint.scene), std::move(simulation), std::move(checkpoint.start), std::move(before),

@@ -16,8 +16,9 @@ class SceneMotion final : public SimulationMotion {
     std::optional<StepReport> before = {};
     std::deque<RestDetector::Sample> quiet = {};
   };
-  static Beginning beginning_of(const Scene& scene, const RelaxationProgress& progress = {});
-  static Beginning beginning_of(Checkpoint checkpoint);
+  static Beginning beginning_of(const Scene& scene, const RelaxationProgress& progress = {},
+                                const base::Interruption& interruption = {});
+  static Beginning beginning_of(Checkpoint checkpoint, const base::Interruption& interruption = {});
 
   explicit SceneMotion(Beginning beginning);
 

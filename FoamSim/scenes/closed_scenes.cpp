@@ -25,7 +25,7 @@ SceneEntry mode_scene() {
   return {"mode",
           "one bubble: a sphere, or one of its oscillation modes",
           {subdivisions(3, "subdivisions of an icosahedron (20*4^n triangles)"),
-           base::whole_number("mode", 0, 0, "start in this oscillation mode; 0: none"),
+           whole_between(0, 100, 0, "mode", "start in this oscillation mode; 0: none"),
            number_below(1, "1", "amplitude", 0.02, "the mode's amplitude over the radius")},
           {{"topology.enabled", false}},
           [](const OptionSet& options) {
@@ -64,7 +64,7 @@ base::OptionSpec segments_or_rings() {
 SceneEntry double_bubble_scene() {
   return {"doublebubble",
           "two bubbles that share a wall: the report's case",
-          {whole_between(8, 1024, 16, "n", "rings of each bubble from pole to pole (880 triangles for 16)"),
+          {whole_between(8, 512, 16, "n", "rings of each bubble from pole to pole (880 triangles for 16)"),
            segments_or_rings()},
           {{"topology.enabled", false}},
           [](const OptionSet& options) { return double_bubble(options.whole("n"), options.whole("m")); }};
@@ -98,8 +98,10 @@ SceneEntry headon_scene() {
 }  // namespace
 
 std::vector<SceneEntry> closed_scenes() {
-  return {sphere_scene(),        mode_scene(),        tet_scene(),   cube_scene(),
-          double_bubble_scene(), two_bubbles_scene(), headon_scene()};
+  return {sized(sphere_scene(), triangles_of_subdivided(20)),  sized(mode_scene(), triangles_of_subdivided(20)),
+          sized(tet_scene(), triangles_of_subdivided(4)),      sized(cube_scene(), triangles_of_subdivided(12)),
+          sized(double_bubble_scene(), triangles_of_rings(2)), sized(two_bubbles_scene(), triangles_of_subdivided(40)),
+          sized(headon_scene(), triangles_of_subdivided(40))};
 }
 
 }  // namespace foamsim

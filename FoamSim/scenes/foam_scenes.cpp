@@ -29,7 +29,7 @@ SceneEntry foaminit_scene() {
 SceneEntry growth_scene() {
   return {.name = "growth",
           .summary = "spheres that grow until they have pressed each other into a foam; its last frame is a start mesh",
-          .options = {base::whole_number("spheres", 8, 1, "number of spheres (320 triangles each)"),
+          .options = {whole_between(1, 1'000'000, 8, "spheres", "number of spheres (320 triangles each)"),
                       base::word_from("layout", std::string("grid"), "where they are: grid (jittered) or random",
                                       "layout", {"grid", "random"})},
           .defaults = {{"time", 0.8}, {"effects", std::vector<std::string>{"growth"}}},
@@ -67,7 +67,7 @@ std::vector<base::OptionSpec> options_of_foam() {
   std::vector<base::OptionSpec> options = start_of_foam("made of bubbles, or grown from spheres");
   options.push_back(whole_between(0, 1'000'000, 0, "bubbles",
                                   "bubbles of a foam of random Voronoi cells in a box; 0: it is grown from spheres"));
-  options.push_back(base::whole_number("relaxations", 3, 0, "rounds that make these bubbles more alike"));
+  options.push_back(whole_between(0, 1000, 3, "relaxations", "rounds that make these bubbles more alike"));
   return options;
 }
 
@@ -140,7 +140,8 @@ SceneEntry load_scene_entry() {
 }  // namespace
 
 std::vector<SceneEntry> foam_scenes() {
-  return {foaminit_scene(), growth_scene(), foam_scene(), pulling_foam_scene(), load_scene_entry()};
+  return {sized(foaminit_scene(), triangles_of_subdivided(60)), growth_scene(), foam_scene(), pulling_foam_scene(),
+          load_scene_entry()};
 }
 
 }  // namespace foamsim

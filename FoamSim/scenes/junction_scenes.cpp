@@ -73,8 +73,10 @@ SceneEntry quad_junction_frame_scene() {
 }  // namespace
 
 std::vector<SceneEntry> junction_scenes() {
-  return {barrel_scene(), triple_junction_scene(), triple_junction_frame_scene(), quad_junction_scene(),
-          quad_junction_frame_scene()};
+  return {sized(barrel_scene(), triangles_of_rings(1)), sized(triple_junction_scene(), triangles_of_subdivided(6)),
+          sized(triple_junction_frame_scene(), triangles_of_subdivided(12)),
+          sized(quad_junction_scene(), triangles_of_subdivided(12)),
+          sized(quad_junction_frame_scene(), triangles_of_subdivided(6))};
 }
 
 }  // namespace foamsim

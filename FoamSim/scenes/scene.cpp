@@ -6,6 +6,7 @@
 #include "Base/error.h"
 #include "FoamSim/scenes/reference_options.h"
 #include "FoamSim/scenes/relaxed_start.h"
+#include "FoamSim/scenes/scene_memory.h"
 #include "FoamSim/scenes/shapes/held.h"
 #include "FoamSim/scenes/toml_scene.h"
 #include "LosTopos/io/mesh_file.h"
@@ -129,7 +130,7 @@ SurfaceMesh build_surface(const Scene& scene) {
 
 SimulationOptions simulation_options(const base::OptionSet& given) {
   const base::OptionSet options = options_in_use(given);
-  const lostopos::TrackerOptions tracker = lostopos::tracker_options(options);
+  const lostopos::TrackerOptions tracker = lostopos::tracker_options(options, bytes_of_triangle(options));
   return {.dt = options.number("dt"),
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
@@ -154,17 +155,21 @@ SimulationParts simulation_parts(const Scene& scene, double resolution, const st
   return parts;
 }
 
-Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution,
-                           const std::vector<Vertex>& edges) {
+Simulation make_simulation(const Scene& scene, SurfaceMesh surface, double resolution, const std::vector<Vertex>& edges,
+                           const base::Interruption& interruption) {
   validate(scene);
   SimulationOptions options = simulation_options(scene.options);
   options.resolution = resolution;
+  options.tracker.interruption = interruption;
+  lostopos::require_memory(estimated_size(scene.options, surface, resolution), lostopos::memory_limit(scene.options));
   const std::vector<Vertex> held = with_marked_vertices(surface, edges);
   return {std::move(surface), options, simulation_parts(scene, resolution, held)};
 }
 
-Simulation make_simulation(const Scene& scene, const RelaxationProgress& progress) {
+Simulation make_simulation(const Scene& scene, const RelaxationProgress& progress,
+                           const base::Interruption& interruption) {
   validate(scene);
+  if (const auto size = estimated_size(scene)) lostopos::require_memory(*size, lostopos::memory_limit(scene.options));
   StartSurface start = start_surface(scene);
   hold_free_edges(start);
   require_free_to_relax(scene, start);
@@ -174,9 +179,12 @@ Simulation make_simulation(const Scene& scene, const RelaxationProgress& progres
   const double resolution = resolved_resolution(options, start.mesh);
   if (const long steps = relaxation_steps(scene.options); steps > 0) {
     options.resolution = resolution;
+    options.tracker.interruption = interruption;
+    lostopos::require_memory(estimated_size(scene.options, start.mesh, resolution),
+                             lostopos::memory_limit(scene.options));
     start.mesh = relaxed_start(std::move(start.mesh), options, scene.options.number("sigma"), steps, progress);
   }
-  Simulation simulation = make_simulation(scene, std::move(start.mesh), resolution, start.held);
+  Simulation simulation = make_simulation(scene, std::move(start.mesh), resolution, start.held, interruption);
   set_start_motion(scene, start.circulation, simulation);
   return simulation;
 }

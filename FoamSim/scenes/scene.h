@@ -48,10 +48,13 @@ SimulationParts simulation_parts(const Scene& scene, double resolution, const st
 /// The simulation of the scene from its start, relaxed where it asks for that. Validates first. A film that ends at a
 /// free edge ends at a frame: the vertices on such edges are held, and so are those that a mesh file says are
 /// (constraint "frame").
-Simulation make_simulation(const Scene& scene, const RelaxationProgress& progress = {});
+/// `interruption`: see TrackerOptions, and asked while the start is made, too. Throws base::InputError beyond the
+/// option memory_limit, before that memory is taken.
+Simulation make_simulation(const Scene& scene, const RelaxationProgress& progress = {},
+                           const base::Interruption& interruption = {});
 /// The same, at rest, from a given surface (of a checkpoint, say); `resolution` is h̄ (L), `edges` the vertices where
 /// films end.
 Simulation make_simulation(const Scene& scene, lostopos::SurfaceMesh surface, double resolution,
-                           const std::vector<lostopos::Vertex>& edges);
+                           const std::vector<lostopos::Vertex>& edges, const base::Interruption& interruption = {});
 
 }  // namespace foamsim

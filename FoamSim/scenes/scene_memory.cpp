@@ -1,30 +1,40 @@
 #include "FoamSim/scenes/scene_memory.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "Base/error.h"
-#include "Base/machine/memory.h"
+#include "LosTopos/mesh/measures.h"
+#include "LosTopos/tracker_options.h"
 
 namespace foamsim {
+namespace {
 
-// Measured with foams of Voronoi cells from 100 to 5,000 bubbles (docs/scale.md): mesh, attributes, the searches'
-// boxes, the tree of the sums and what a step keeps for the case that it fails.
-std::optional<SizeEstimate> estimated_size(const Scene& scene) {
-  constexpr double program = 20e6;
-  const double of_triangle = scene.options.word("dynamics") == "conservative" ? 4200 : 2000;
+constexpr double program = 20e6;
+
+lostopos::SizeEstimate size_of(const base::OptionSet& options, double triangles) {
+  return {triangles, program + bytes_of_triangle(options) * triangles};
+}
+
+}  // namespace
+
+// Measured with foams of Voronoi cells from 100 to 5,000 bubbles (docs/scale.md): the tracker's, and the tree of the
+// sums; or the systems of the conservative dynamics.
+double bytes_of_triangle(const base::OptionSet& options) {
+  return options.word("dynamics") == "conservative" ? 4200 : lostopos::default_bytes_of_triangle;
+}
+
+std::optional<lostopos::SizeEstimate> estimated_size(const Scene& scene) {
   if (!scene.mesh_file.empty()) return std::nullopt;
   const auto& triangles = scene.catalogue->scenes.find(scene.name).triangles;
   if (!triangles) return std::nullopt;
-  const double count = triangles(scene.options);
-  return SizeEstimate{count, program + of_triangle * count};
+  return size_of(scene.options, triangles(scene.options));
 }
 
-void require_memory(const SizeEstimate& size, double available) {
-  if (size.bytes <= available) return;
-  throw base::InputError("so many bubbles are about " + base::to_text(std::round(size.triangles)) +
-                         " triangles, which take " + base::bytes_in_words(size.bytes) + ", but " +
-                         base::bytes_in_words(available) +
-                         " of memory are left here; fewer bubbles, or a coarser resolution, would fit");
+lostopos::SizeEstimate estimated_size(const base::OptionSet& options, const lostopos::SurfaceMesh& surface,
+                                      double resolution) {
+  const auto there = static_cast<double>(surface.triangle_count());
+  const bool refined = options.flag("remeshing.enabled") && resolution > 0;
+  const double wanted = refined ? lostopos::triangles_on(lostopos::total_area(surface), resolution) : 0;
+  return size_of(options, std::max(there, wanted));
 }
 
 }  // namespace foamsim

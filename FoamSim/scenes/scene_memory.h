@@ -3,17 +3,19 @@
 #include <optional>
 
 #include "FoamSim/scenes/scene.h"
+#include "LosTopos/memory_limit.h"
 
 namespace foamsim {
 
-/// How much a run of a scene takes, where users give the number of its bubbles.
-struct SizeEstimate {
-  double triangles = 0;  ///< at the start
-  double bytes = 0;      ///< of the process, at its largest
-};
-std::optional<SizeEstimate> estimated_size(const Scene& scene);
+/// Memory of the process for each triangle of a scene's surface, with the dynamics that it has.
+double bytes_of_triangle(const base::OptionSet& options);
 
-/// Throws base::InputError, with both numbers, where the estimate is more than `available` bytes.
-void require_memory(const SizeEstimate& size, double available);
+/// How much a run of a scene takes at its start, of what its options say of sizes; none where the surface comes from a
+/// file.
+std::optional<lostopos::SizeEstimate> estimated_size(const Scene& scene);
+
+/// How much it takes once its films are remeshed to the edges `resolution` (L); 0: as they are.
+lostopos::SizeEstimate estimated_size(const base::OptionSet& options, const lostopos::SurfaceMesh& surface,
+                                      double resolution);
 
 }  // namespace foamsim

@@ -120,8 +120,14 @@ SceneEntry octahedron_scene() {
 }  // namespace
 
 std::vector<SceneEntry> wire_scenes() {
-  return {constrained_sphere_scene(), bubble_wand_scene(), two_rings_scene(), peanut_scene(), straw_scene(),
-          carousel_scene(),           sheet_scene(),       octahedron_scene()};
+  return {sized(constrained_sphere_scene(), triangles_of_subdivided(20)),
+          bubble_wand_scene(),
+          two_rings_scene(),
+          sized(peanut_scene(), triangles_of_rings(1.5)),
+          straw_scene(),
+          sized(carousel_scene(), triangles_of_rings(1.5)),
+          sized(sheet_scene(), triangles_of_subdivided(6)),
+          octahedron_scene()};
 }
 
 }  // namespace foamsim

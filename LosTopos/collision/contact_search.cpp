@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "Base/lists/erase_repeated.h"
 #include "Base/parallel/for_each.h"
@@ -59,13 +60,14 @@ struct ContactSearch::Scratches {
 };
 
 ContactSearch::ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon,
-                             MoveStatistics& statistics, NearTriangles* near)
+                             MoveStatistics& statistics, NearTriangles* near, base::Interruption interruption)
     : mesh_(mesh),
       motion_(motion),
       statistics_(statistics),
       scale_{proximity_epsilon, proximity_epsilon, least_gap_over_proximity * proximity_epsilon},
       margin_(0.5 * proximity_epsilon),
       near_(near && near->margins().reach >= proximity_epsilon ? near : nullptr),
+      interruption_(std::move(interruption)),
       owned_(mesh.triangle_slots(), 0),
       is_subject_(mesh.triangle_slots(), 0) {}
 
@@ -173,6 +175,7 @@ FoundContacts ContactSearch::search(bool changed_only) {
   FoundContacts found;
   std::size_t block = smallest_block, pairs = 0;
   for (std::size_t from = 0; from < subjects_.size() && !found.too_many;) {
+    interruption_.check();
     const std::size_t to = std::min(from + block, subjects_.size());
     search_block(from, to, changed_only, scratches);
     const std::size_t pairs_before = pairs;

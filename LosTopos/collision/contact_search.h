@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "Base/interruption.h"
 #include "LosTopos/collision/broad_phase.h"
 #include "LosTopos/collision/contact.h"
 #include "LosTopos/collision/motion.h"
@@ -14,8 +15,8 @@ namespace lostopos {
 struct FoundContacts {
   std::vector<Contact> proximities;
   std::vector<Contact> collisions;
-  /// The motion is so wild that the search has been given up: more than 10,000 + 20 collisions a triangle, or 1,000,000
-  /// + 1,000 near pairs a triangle. Then these are only a part.
+  /// The motion is so wild, or triangles are of so different sizes, that the search has been given up: more than 10,000
+  /// + 20 collisions a triangle, or 200,000 + 100 near pairs a triangle. Then these are only a part.
   bool too_many = false;
 };
 
@@ -26,9 +27,10 @@ struct FoundContacts {
 class ContactSearch {
  public:
   /// The mesh, the motion and `near` must outlive this; ε_c in L. `near`: lists to be used and brought up to date; or
-  /// null. Counts and times are added to `statistics`.
+  /// null. Counts and times are added to `statistics`. `interruption`: asked every few thousand triangles; a search
+  /// that is interrupted throws.
   ContactSearch(const SurfaceMesh& mesh, Motion& motion, double proximity_epsilon, MoveStatistics& statistics,
-                NearTriangles* near = nullptr);
+                NearTriangles* near = nullptr, base::Interruption interruption = {});
 
   /// Looks at every pair. Forgets the motion's changes.
   FoundContacts all();
@@ -59,6 +61,7 @@ class ContactSearch {
   ContactScale scale_;
   double margin_;  // boxes of pairs nearer than ε_c overlap
   NearTriangles* near_;
+  base::Interruption interruption_;
   bool uses_lists_ = false;  // or else the broad phase
   BroadPhase broad_phase_;
   std::vector<Box> edge_boxes_;

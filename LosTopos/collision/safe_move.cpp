@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "Base/timing/stopwatch.h"
@@ -9,6 +10,7 @@
 #include "LosTopos/collision/impact_zones.h"
 #include "LosTopos/collision/impulses.h"
 #include "LosTopos/collision/motion.h"
+#include "LosTopos/mesh/measures.h"
 
 namespace lostopos {
 namespace {
@@ -42,7 +44,7 @@ class SafeMove {
            NearTriangles* near)
       : options_(options),
         motion_(mesh, predicted, held),
-        search_(mesh, motion_, options.proximity_epsilon, statistics_, near) {}
+        search_(mesh, motion_, options.proximity_epsilon, statistics_, near, options.interruption) {}
 
   // Looks at the whole motion and repels what is close at its start. True when nothing collides then.
   bool begin(double fraction) {
@@ -67,6 +69,7 @@ class SafeMove {
   }
 
   const std::vector<Contact>& collisions() const { return collisions_; }
+  bool gave_up() const { return too_many_; }
   void finish(SurfaceMesh& mesh) const {
     for (Vertex v : mesh.vertices()) mesh.set_position(v, motion_.ends()[v.index()]);
   }
@@ -77,6 +80,7 @@ class SafeMove {
   template <class Respond>
   bool rounds(int passes, double& seconds, const Respond& respond) {
     for (int pass = 0; pass < passes && !collisions_.empty() && !too_many_; ++pass) {
+      options_.interruption.check();
       const base::Stopwatch watch;
       const bool changed = respond();
       seconds += watch.seconds();
@@ -109,6 +113,28 @@ class SafeMove {
   std::vector<Contact> collisions_;
   bool too_many_ = false;  // to go on with
 };
+
+// The search has been given up: what is in its way are the mesh's sizes, or the length of the motion.
+[[noreturn]] void fail_crowded(const SurfaceMesh& mesh, std::span<const Vec3> predicted,
+                               const std::vector<Contact>& contacts, double fraction) {
+  constexpr double very_different = 100;
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0, farthest = 0;
+  for (Edge e : mesh.edges()) {
+    shortest = std::min(shortest, length(mesh, e));
+    longest = std::max(longest, length(mesh, e));
+  }
+  for (Vertex v : mesh.vertices()) farthest = std::max(farthest, (predicted[v.index()] - mesh.position(v)).norm());
+  std::ostringstream message;
+  message << "cannot move the surface: even at " << fraction << " of the step so many of its " << mesh.triangle_count()
+          << " triangles come near each other that the search for collisions was given up. Edges are " << shortest
+          << " to " << longest << " long, and vertices are to move by up to " << farthest << ": ";
+  if (longest > very_different * shortest)
+    message << "the sizes of its triangles are too different, for a large one is near very many small ones; a mesh of "
+               "more even edges (remeshing does that) would help";
+  else
+    message << "a shorter time step would help";
+  throw CollisionFailure(message.str(), contacts);
+}
 
 [[noreturn]] void fail(const SurfaceMesh& mesh, const std::vector<Contact>& contacts, double fraction) {
   std::ostringstream message;
@@ -150,7 +176,10 @@ MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::
   SafeMove move(mesh, predicted, held, options, near);
   double fraction = 1;
   while (!move.attempt(fraction)) {
-    if (fraction / 2 < options.smallest_step) fail(mesh, move.collisions(), fraction);
+    if (fraction / 2 < options.smallest_step) {
+      if (move.gave_up()) fail_crowded(mesh, predicted, move.collisions(), fraction);
+      fail(mesh, move.collisions(), fraction);
+    }
     fraction /= 2;
     ++move.statistics().halvings;
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "Base/interruption.h"
 #include "LosTopos/collision/contact.h"
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/hold.h"
@@ -25,6 +26,7 @@ struct MoveOptions {
   int rigid_passes = 40;
   /// The motion is halved as long as the fraction that is left is not smaller than this.
   double smallest_step = 1.0 / 64;
+  base::Interruption interruption = {};  ///< asked while pairs are looked for, and before every round
 };
 
 /// What one call of move_safely did; sums over all its attempts.
@@ -82,8 +84,8 @@ class CollisionFailure : public MotionError {
 /// impulse_passes + zone_passes + rigid_passes rounds an attempt and log2(1 / smallest_step) + 1 attempts.
 /// An attempt at a motion so wild that nearly all elements cross each other is given up early (see FoundContacts).
 /// Throws InputError when a span has the wrong size or an option is out of range, MotionError for a prediction that is
-/// not finite, and CollisionFailure when the smallest step still collides (a surface that is in contact with itself
-/// at the start always does, if it is asked to move there); the mesh is then unchanged.
+/// not finite, base::Interrupted, and CollisionFailure when the smallest step still collides (a surface that is in
+/// contact with itself at the start always does, if it is asked to move there); the mesh is then unchanged.
 MoveResult move_safely(SurfaceMesh& mesh, std::span<const Vec3> predicted, std::span<const Hold> held,
                        const MoveOptions& options, NearTriangles* near = nullptr);
 

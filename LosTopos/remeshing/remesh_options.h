@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+
+#include "Base/interruption.h"
+
 namespace lostopos {
 
 /// What a remeshing pass aims at and what it must not do. Lengths are relative to `target_edge` (h̄), areas to its
@@ -31,6 +35,9 @@ struct RemeshOptions {
   int max_sweeps = 10;
   /// Rounds with relaxed bounds while triangles are out of bounds.
   int max_aggressive_rounds = 3;
+
+  std::size_t most_triangles = 0;  ///< a pass that would make more throws base::Error, with the figure; 0: no bound
+  base::Interruption interruption = {};  ///< asked before every operation
 };
 
 }  // namespace lostopos

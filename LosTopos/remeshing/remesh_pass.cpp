@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/geometry/triangle_quality.h"
@@ -66,8 +67,19 @@ double RemeshPass::squared_length(Edge e) const {
   return (c_.mesh.position(b) - c_.mesh.position(a)).squaredNorm();
 }
 
+void RemeshPass::require_room() const {
+  const std::size_t most = c_.options.most_triangles;
+  if (most == 0 || c_.mesh.triangle_count() < most) return;
+  std::ostringstream message;
+  message << "remeshing to edges of " << c_.options.target_edge << " has come to " << c_.mesh.triangle_count()
+          << " triangles, as many as memory_limit has room for; a coarser resolution would need less";
+  throw base::Error(message.str());
+}
+
 bool RemeshPass::try_split(Edge e) {
   if (!c_.options.split) return false;
+  c_.options.interruption.check();
+  require_room();
   const auto refusal = split_.attempt(e);
   statistics_[Operation::split].count(refusal);
   return !refusal;
@@ -75,6 +87,7 @@ bool RemeshPass::try_split(Edge e) {
 
 bool RemeshPass::try_collapse(Edge e) {
   if (!c_.options.collapse) return false;
+  c_.options.interruption.check();
   const auto refusal = collapse_.attempt(e);
   statistics_[Operation::collapse].count(refusal);
   return !refusal;
@@ -82,6 +95,7 @@ bool RemeshPass::try_collapse(Edge e) {
 
 bool RemeshPass::try_flip(Edge e) {
   if (!c_.options.flip) return false;
+  c_.options.interruption.check();
   const auto refusal = flip_.attempt(e);
   statistics_[Operation::flip].count(refusal);
   return !refusal;
@@ -172,7 +186,10 @@ void RemeshPass::smooth() {
       list.insert(list.end(), c_.mesh.vertices(t).begin(), c_.mesh.vertices(t).end());
   std::ranges::sort(list);
   list.erase(std::unique(list.begin(), list.end()), list.end());
-  for (Vertex v : list) statistics_[Operation::smoothing].count(smoothing_.attempt(v));
+  for (Vertex v : list) {
+    c_.options.interruption.check();
+    statistics_[Operation::smoothing].count(smoothing_.attempt(v));
+  }
 }
 
 bool RemeshPass::is_bad(Triangle t) const {

@@ -47,6 +47,7 @@ class RemeshPass {
   bool too_short(Edge e) const { return squared_length(e) < shortest_ * shortest_; }
   double squared_length(Edge e) const;
   void mend(Triangle t);
+  void require_room() const;
   bool try_split(Edge e);
   bool try_collapse(Edge e);
   bool try_flip(Edge e);

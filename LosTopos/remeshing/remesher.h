@@ -24,7 +24,8 @@ class Remesher {
   /// One pass: split long edges, split large angles, collapse short edges, flip, smooth; then aggressive rounds while
   /// triangles are out of bounds. The mesh must not intersect itself. `index`: see SurfaceIndex; without one the pass
   /// builds its own if it finds anything to do. The result depends on nothing but the mesh, `held` and the options. A
-  /// pass that finds nothing to do costs a few hundred nanoseconds a triangle.
+  /// pass that finds nothing to do costs a few hundred nanoseconds a triangle. Throws base::Interrupted, or base::Error
+  /// beyond the options' most_triangles, between two operations: the mesh is then whole, and half remeshed.
   RemeshStatistics run(NearTriangles* index = nullptr);
 
  private:

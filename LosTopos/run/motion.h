@@ -27,8 +27,9 @@ class Motion {
   Motion& operator=(const Motion&) = delete;
   virtual ~Motion() = default;
 
-  /// One step, measured. Throws base::Error when the surface cannot go on (the run then ends as failed), or
-  /// base::InputError for what no run can go on with (thrown on).
+  /// One step, measured. Throws base::Error when the surface cannot go on (the run then ends as failed),
+  /// base::Interrupted when it has been asked to stop, the motion being as before the step, or base::InputError for
+  /// what no run can go on with (thrown on).
   virtual void step() = 0;
   /// Steps since the start of the motion, those before a checkpoint included.
   virtual long steps() const = 0;

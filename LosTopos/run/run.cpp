@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "Base/error.h"
+#include "Base/interruption.h"
 #include "Base/options/option_value.h"
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/run/run_writer.h"
@@ -42,6 +43,8 @@ class Run {
       const long step = motion_.steps() + 1;
       try {
         motion_.step();
+      } catch (const base::Interrupted&) {
+        return end_as(End::interrupted);
       } catch (const base::InputError&) {
         throw;
       } catch (const base::Error& error) {

@@ -139,6 +139,7 @@ void TopologyPass::snap_near_places() {
   for (int sweep = 0; sweep < options_.max_sweeps && !pairs.empty(); ++sweep) {
     std::vector<Triangle> changed;
     for (const NearPair& listed : pairs) {
+      c_.options.interruption.check();
       if (!are_alive(c_.mesh, listed.pair)) continue;
       const NearPair near = measured(c_.mesh, listed.pair);
       if (!(near.distance < merge_distance_)) continue;
@@ -164,6 +165,7 @@ void TopologyPass::merge_short_edges() {
     std::ranges::stable_sort(list, {}, [this](Edge e) { return length(c_.mesh, e); });
     std::vector<Edge> next;
     for (Edge e : list) {
+      c_.options.interruption.check();
       if (!c_.mesh.alive(e) || !(length(c_.mesh, e) < shortest)) continue;
       const Site a = site_at(c_.mesh, c_.mesh.vertices(e)[0]), b = site_at(c_.mesh, c_.mesh.vertices(e)[1]);
       std::vector<Region> regions = regions_at(a, b);
@@ -190,6 +192,7 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
   std::optional<Refusal> refusal;
   const std::size_t most = 3 * boundary.size();
   for (std::size_t i = 0; i < most && !boundary.empty(); ++i) {
+    c_.options.interruption.check();
     edges.clear();
     for (Triangle t : boundary) edges.insert(edges.end(), c_.mesh.edges(t).begin(), c_.mesh.edges(t).end());
     sort_unique(edges);
@@ -247,6 +250,7 @@ void TopologyPass::separate_vertices() {
   for (int sweep = 0; sweep < options_.max_sweeps && !list.empty(); ++sweep) {
     std::vector<Vertex> next;
     for (Vertex v : list) {
+      c_.options.interruption.check();
       const Vec3 position = c_.mesh.position(v);
       const auto refusal = separation_.attempt(v);
       counts.count(refusal);

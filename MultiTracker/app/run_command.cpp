@@ -120,8 +120,9 @@ int run_scene(const Arguments& arguments, const Program& program) {
   if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
   const base::ThreadLimit limit(arguments.threads);
   const bool resuming = !arguments.resume.empty();
-  const auto tracking = resuming ? std::make_unique<Tracking>(checkpoint_of(arguments))
-                                 : std::make_unique<Tracking>(origin_of(arguments, program));
+  const base::Interruption interruption{[] { return base::InterruptGuard::interrupted(); }};
+  const auto tracking = resuming ? std::make_unique<Tracking>(checkpoint_of(arguments), interruption)
+                                 : std::make_unique<Tracking>(origin_of(arguments, program), interruption);
   const RunSettings settings = settings_of(arguments, program);
   const long last_step = arguments.steps.value_or(tracking->origin().options.whole("steps"));
   if (last_step < 0) throw base::InputError("--steps has to be a whole number >= 0");

@@ -27,24 +27,26 @@ ordered_json state_json(const Metrics& m) {
 }
 
 SurfaceMesh start_surface(const Origin& origin) {
-  return origin.given ? SurfaceMesh::from_state(*origin.given) : origin.scene->surface(origin.options);
+  return origin.given ? SurfaceMesh::from_state(*origin.given) : own_surface(*origin.scene, origin.options);
 }
 
 }  // namespace
 
-Tracking::Tracking(Origin origin) : Tracking(std::move(origin), start_surface(origin)) {}
+Tracking::Tracking(Origin origin, const base::Interruption& interruption)
+    : Tracking(std::move(origin), start_surface(origin), interruption) {}
 
-Tracking::Tracking(Origin&& origin, SurfaceMesh surface)
+Tracking::Tracking(Origin&& origin, SurfaceMesh surface, const base::Interruption& interruption)
     : origin_(std::move(origin)),
       drive_(origin_.scene->drive(origin_.options, surface)),
       walls_(walls_of(*origin_.scene, surface, origin_.given.has_value())),
       ends_at_walls_(walls_ && lostopos::ends_at_walls(surface, *walls_)),
-      tracker_(start_tracker(*origin_.scene, origin_.options, std::move(surface), walls_)) {
+      tracker_(start_tracker(*origin_.scene, origin_.options, std::move(surface), walls_, interruption)) {
   if (origin_.scene->closed && !ends_at_walls_) start_volumes_ = lostopos::region_volumes(mesh());
   start_ = metrics_ = measure(mesh(), {}, start_volumes_);
 }
 
-Tracking::Tracking(Checkpoint checkpoint) : Tracking(std::move(checkpoint.origin)) {
+Tracking::Tracking(Checkpoint checkpoint, const base::Interruption& interruption)
+    : Tracking(std::move(checkpoint.origin), interruption) {
   tracker_.restore(checkpoint.surface);
   start_volumes_ = std::move(checkpoint.start_volumes);
   start_ = checkpoint.start;
@@ -54,6 +56,16 @@ Tracking::Tracking(Checkpoint checkpoint) : Tracking(std::move(checkpoint.origin
 }
 
 void Tracking::step() {
+  tracker_.save(before_);
+  try {
+    make_step();
+  } catch (...) {
+    tracker_.restore(before_);
+    throw;
+  }
+}
+
+void Tracking::make_step() {
   const base::Stopwatch watch;
   const auto now = [this] { return FlowStep{mesh(), tracker_.held().slots(), metrics_.time, dt()}; };
   const auto predicted = drive_.flow->predicted(now());

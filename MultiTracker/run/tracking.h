@@ -11,13 +11,13 @@ namespace multitracker {
 /// A scene on its way, step by step.
 class Tracking final : public lostopos::run::Motion {
  public:
-  /// Starts on the given surface, or on the scene's own. Throws base::InputError for options out of range.
-  explicit Tracking(Origin origin);
+  /// Starts on the given surface, or on the scene's own. Throws base::InputError for options out of range, or a surface
+  /// beyond the option memory_limit. `interruption`: see TrackerOptions.
+  explicit Tracking(Origin origin, const base::Interruption& interruption = {});
   /// Goes on from a checkpoint.
-  explicit Tracking(Checkpoint checkpoint);
+  explicit Tracking(Checkpoint checkpoint, const base::Interruption& interruption = {});
 
-  /// Throws what SurfaceTracker::step throws; the surface is then as the last part of a step that could be done left
-  /// it.
+  /// Throws what SurfaceTracker::step throws; the whole state is then the one before the step.
   void step() override;
   long steps() const override { return metrics_.step; }
   double time() const override { return metrics_.time; }
@@ -40,7 +40,8 @@ class Tracking final : public lostopos::run::Motion {
   lostopos::AuditReport audit() const;
 
  private:
-  Tracking(Origin&& origin, lostopos::SurfaceMesh surface);
+  Tracking(Origin&& origin, lostopos::SurfaceMesh surface, const base::Interruption& interruption);
+  void make_step();
 
   Origin origin_;
   Drive drive_;
@@ -50,6 +51,7 @@ class Tracking final : public lostopos::run::Motion {
   std::vector<lostopos::RegionVolume> start_volumes_;
   lostopos::run::StepWork work_;
   Metrics start_, metrics_;
+  lostopos::SurfaceTracker::State before_;  // the step that is being made
 };
 
 }  // namespace multitracker

@@ -61,25 +61,25 @@ void hold_air_side(const base::OptionSet&, SurfaceTracker& tracker) {
 }
 
 SceneEntry t1() {
-  return {
-      "T1",
-      "two junction lines come together and part the other way",
-      {subdivisions(2), time_step(0.002), flow(), base::whole_number("layers", 2, 1, "rows of films along the lines"),
-       base::non_negative_number("gap", 0.12, "between the two lines; 0: four films meet in one line")},
-      under_tension(60),
-      [](const base::OptionSet& options) {
-        if (options.number("gap") > 0.9 * box_height)
-          throw base::InputError("gap has to be at most " + std::to_string(0.9 * box_height));
-        return four_cells({.size = {box_width, box_height, box_depth},
-                           .gap = options.number("gap"),
-                           .layers = options.whole("layers"),
-                           .subdivisions = options.whole("subdivisions")});
-      },
-      under_tension_flow,
-      nullptr,
-      true,
-      AtWalls::slide,
-      {box_width, box_height, box_depth}};
+  return {"T1",
+          "two junction lines come together and part the other way",
+          {subdivisions(2), time_step(0.002), flow(),
+           base::whole_between(1, 1000, 2, "layers", "rows of films along the lines"),
+           base::non_negative_number("gap", 0.12, "between the two lines; 0: four films meet in one line")},
+          under_tension(60),
+          [](const base::OptionSet& options) {
+            if (options.number("gap") > 0.9 * box_height)
+              throw base::InputError("gap has to be at most " + std::to_string(0.9 * box_height));
+            return four_cells({.size = {box_width, box_height, box_depth},
+                               .gap = options.number("gap"),
+                               .layers = options.whole("layers"),
+                               .subdivisions = options.whole("subdivisions")});
+          },
+          under_tension_flow,
+          nullptr,
+          true,
+          AtWalls::slide,
+          {box_width, box_height, box_depth}};
 }
 
 SceneEntry t2() {
@@ -134,8 +134,8 @@ SceneEntry mcf() {
           "a random foam in the unit box that coarsens under mean curvature flow; its ends slide along the walls",
           {subdivisions(1), time_step(2e-3), flow(),
            base::flag("faster_later", false, "steps are 4 times as long from time 6 on, and 16 times from time 30 on"),
-           base::whole_number("cells", 30, 1, "bubbles at the start"),
-           base::whole_number("relaxations", 3, 0, "rounds that make the bubbles more alike")},
+           base::whole_between(1, 1'000'000, 30, "cells", "bubbles at the start"),
+           base::whole_between(0, 1000, 3, "relaxations", "rounds that make the bubbles more alike")},
           // Films that shrink to nothing race: in parts of the usual length a step of a large foam takes half a minute.
           and_more(under_tension(200), {{"topology.longest_motion", 0.5}}),
           [](const base::OptionSet& options) {
@@ -157,7 +157,7 @@ SceneEntry mcf() {
 SceneEntry catenoid() {
   return {"catenoid",
           "a film between two rings that are pulled apart until it pinches off",
-          {time_step(0.005), base::whole_number("segments", 32, 8, "of each ring"),
+          {time_step(0.005), base::whole_between(8, 4096, 32, "segments", "of each ring"),
            base::positive_number("pull", 0.25, "speed of each ring"),
            base::positive_number("half_length", 0.2, "from the middle to each ring of radius 0.5 at the start")},
           under_tension(160),
@@ -180,9 +180,17 @@ SceneEntry catenoid() {
 }  // namespace
 
 std::vector<SceneEntry> film_scenes() {
-  std::vector<SceneEntry> scenes;
-  for (auto make : {t1, t2, prism, mcf, catenoid}) scenes.push_back(make());
-  return scenes;
+  return {sized(t1(),
+                [](const base::OptionSet& options) {
+                  return subdivided(46 * static_cast<double>(options.whole("layers")), options);
+                }),
+          sized(t2(), [](const base::OptionSet& options) { return subdivided(32, options); }),
+          sized(prism(), [](const base::OptionSet& options) { return subdivided(32, options); }),
+          sized(mcf(),
+                [](const base::OptionSet& options) {
+                  return subdivided(28 * static_cast<double>(options.whole("cells")), options);
+                }),
+          catenoid()};
 }
 
 }  // namespace multitracker

@@ -24,6 +24,14 @@ base::OptionSpec layout() {
           }};
 }
 
+base::OptionSpec spheres_option() {
+  return base::whole_between(1, 1'000'000, 8, "spheres", "number of spheres, of 320 triangles each");
+}
+
+double triangles_of_spheres(const base::OptionSet& options) {
+  return 320 * static_cast<double>(options.whole("spheres"));
+}
+
 std::vector<lostopos::Sphere> spheres(const base::OptionSet& options) {
   return lostopos::sphere_layout({.spheres = options.whole("spheres"),
                                   .layout = lostopos::sphere_layout_by_name(options.word("layout")),
@@ -37,8 +45,7 @@ Drive growth(const base::OptionSet& options, const SurfaceMesh&) {
 SceneEntry normal_flow() {
   return {"normal-flow",
           "spheres that grow along their normals until they press into a foam",
-          {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
-           base::flag("one_region", false, "all spheres are one region and flow together"),
+          {spheres_option(), layout(), base::flag("one_region", false, "all spheres are one region and flow together"),
            base::positive_number("step", 0.05, "way along the normal a step, in mean edges of the start surface")},
           // Films that are pressed together meet before they crumple: the distance of docs/method.md, not that of plain
           // tracking.
@@ -55,8 +62,7 @@ SceneEntry normal_flow() {
 SceneEntry merge() {
   return {"merge",
           "spheres of one region that grow into each other",
-          {base::whole_number("spheres", 8, 1, "number of spheres, of 320 triangles each"), layout(),
-           base::positive_number("speed", 1, "of growth along the normal"),
+          {spheres_option(), layout(), base::positive_number("speed", 1, "of growth along the normal"),
            base::positive_number("dt", 0.005, "time step")},
           {{"steps", 60L}},
           [](const base::OptionSet& options) { return lostopos::sphere_meshes(spheres(options), true); },
@@ -80,8 +86,8 @@ SceneEntry coalescence() {
 SceneEntry cyclic_flow() {
   return {"cyclicflow",
           "three regions that chase each other in a box",
-          {base::whole_number("subdivisions", 2, 0, "of each triangle of the start surface into four"),
-           base::whole_number("layers", 2, 1, "rows of films along the line in which the regions meet"),
+          {subdivisions(2),
+           base::whole_between(1, 1000, 2, "layers", "rows of films along the line in which the regions meet"),
            base::positive_number("speed_12", 1, "at which region 1 grows into 2"),
            base::positive_number("speed_23", 1, "at which region 2 grows into 3"),
            base::positive_number("speed_31", 1, "at which region 3 grows into 1"),
@@ -108,9 +114,10 @@ SceneEntry cyclic_flow() {
 }  // namespace
 
 std::vector<SceneEntry> growth_scenes() {
-  std::vector<SceneEntry> scenes;
-  for (auto make : {normal_flow, merge, coalescence, cyclic_flow}) scenes.push_back(make());
-  return scenes;
+  return {sized(normal_flow(), triangles_of_spheres), sized(merge(), triangles_of_spheres), coalescence(),
+          sized(cyclic_flow(), [](const base::OptionSet& options) {
+            return subdivided(53 * static_cast<double>(options.whole("layers")), options);
+          })};
 }
 
 }  // namespace multitracker

@@ -20,6 +20,10 @@ namespace {
 const Vec3 box_centre(0.5, 0.5, 0.5);
 const Vec3 off_centre(0.5, 0.75, 0.5);
 
+double triangles_of_sphere(const base::OptionSet& options) {
+  return subdivided(20, options);
+}
+
 SurfaceMesh sphere_at(const Vec3& centre, double radius, const base::OptionSet& options) {
   SurfaceMesh mesh = lostopos::icosphere(options.whole("subdivisions"), radius);
   for (lostopos::Vertex v : mesh.vertices()) mesh.set_position(v, mesh.position(v) + centre);
@@ -65,7 +69,7 @@ SceneEntry rotation() {
 SceneEntry zalesak() {
   return {"zalesak",
           "a slotted disc carried once around an axis (Zalesak 1979)",
-          {subdivisions(1), period_steps(200), base::whole_number("segments", 32, 12, "of the disc's rim")},
+          {subdivisions(1), period_steps(200), base::whole_between(12, 4096, 32, "segments", "of the disc's rim")},
           {{"steps", 200L}},
           [](const base::OptionSet& options) {
             return slotted_disc({.centre = off_centre,
@@ -98,9 +102,13 @@ SceneEntry noise() {
 }  // namespace
 
 std::vector<SceneEntry> prescribed_scenes() {
-  std::vector<SceneEntry> scenes;
-  for (auto make : {enright, rotation, zalesak, noise}) scenes.push_back(make());
-  return scenes;
+  return {sized(enright(), triangles_of_sphere), sized(rotation(), triangles_of_sphere),
+          sized(zalesak(),
+                [](const base::OptionSet& options) {
+                  const auto segments = static_cast<double>(options.whole("segments"));
+                  return subdivided(0.5 * segments * segments, options);
+                }),
+          sized(noise(), triangles_of_sphere)};
 }
 
 }  // namespace multitracker

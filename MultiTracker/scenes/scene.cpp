@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "Base/names/nearest_name.h"
+#include "LosTopos/memory_limit.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/tracker_options.h"
 #include "MultiTracker/scenes/scene_lists.h"
@@ -17,7 +18,17 @@ void hold_at_walls(const SceneEntry& scene, const lostopos::BoxWalls& walls, los
     if (tracker.held()[v] != lostopos::Hold::none) tracker.held()[v] = lostopos::Hold::all;
 }
 
+void require_memory_for(double triangles, const base::OptionSet& options) {
+  lostopos::require_memory({triangles, lostopos::default_bytes_of_triangle * triangles},
+                           lostopos::memory_limit(options));
+}
+
 }  // namespace
+
+lostopos::SurfaceMesh own_surface(const SceneEntry& scene, const base::OptionSet& options) {
+  if (scene.triangles != nullptr) require_memory_for(scene.triangles(options), options);
+  return scene.surface(options);
+}
 
 const std::vector<SceneEntry>& scene_entries() {
   static const std::vector<SceneEntry> entries = [] {
@@ -81,7 +92,8 @@ void keep_to_walls(const SceneEntry& scene, const lostopos::BoxWalls& walls, los
 }
 
 lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const base::OptionSet& options,
-                                       lostopos::SurfaceMesh surface, const std::optional<lostopos::BoxWalls>& walls) {
+                                       lostopos::SurfaceMesh surface, const std::optional<lostopos::BoxWalls>& walls,
+                                       const base::Interruption& interruption) {
   if (walls) {
     for (lostopos::Vertex v : surface.vertices())
       surface.set_position(v, lostopos::put_on_walls(*walls, surface.position(v)));
@@ -90,6 +102,9 @@ lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const base::Opti
   lostopos::TrackerOptions tracker_options = lostopos::tracker_options(options);
   const double resolution = options.number("resolution");
   tracker_options.resolution = resolution > 0 ? resolution : lostopos::mean_edge_length(surface);
+  tracker_options.interruption = interruption;
+  if (tracker_options.remeshing)
+    require_memory_for(lostopos::triangles_on(lostopos::total_area(surface), tracker_options.resolution), options);
   lostopos::SurfaceTracker tracker(std::move(surface), tracker_options);
   if (walls)
     hold_at_walls(scene, *walls, tracker);

@@ -39,7 +39,13 @@ struct SceneEntry {
   bool closed = true;  ///< false: films end at rings, and so have no volumes to keep
   AtWalls at_walls = AtWalls::free;
   lostopos::Vec3 box = lostopos::Vec3::Ones();  ///< from the origin, of the scene's own surface; a file's: the unit box
+  /// About how many triangles its own surface has.
+  double (*triangles)(const base::OptionSet&) = nullptr;
 };
+
+/// The scene's own surface. Throws base::InputError for options out of range, and, before memory is taken, where it
+/// takes more than the option memory_limit.
+lostopos::SurfaceMesh own_surface(const SceneEntry& scene, const base::OptionSet& options);
 
 const std::vector<SceneEntry>& scene_entries();
 /// Throws base::InputError with the nearest name.
@@ -62,9 +68,11 @@ void keep_to_walls(const SceneEntry& scene, const lostopos::BoxWalls& walls, los
 
 /// The tracker of a scene at its start, on `surface`, held at the walls: its resolution is that of the options or, when
 /// that is 0, the mean edge length. Vertices at or beyond a wall are put on it, and triangles in the walls of a surface
-/// that ends there are removed. Throws base::InputError for options out of range.
+/// that ends there are removed. `interruption`: see TrackerOptions. Throws base::InputError for options out of range,
+/// and where the surface takes more than the option memory_limit at that resolution.
 lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const base::OptionSet& options,
-                                       lostopos::SurfaceMesh surface, const std::optional<lostopos::BoxWalls>& walls);
+                                       lostopos::SurfaceMesh surface, const std::optional<lostopos::BoxWalls>& walls,
+                                       const base::Interruption& interruption = {});
 /// The same on a surface of the scene's own.
 lostopos::SurfaceTracker start_tracker(const SceneEntry& scene, const base::OptionSet& options,
                                        lostopos::SurfaceMesh surface);

@@ -101,6 +101,66 @@ TEST(SurfaceTracker, SaysWhatIsWrongWithItsOptions) {
   EXPECT_NO_THROW(SurfaceTracker(test::analytic_double_bubble(1, 8), options)) << "needs no resolution";
 }
 
+TEST(SurfaceTracker, RefusesLengthsThatItCannotComputeWith) {
+  const auto refusal = [](double scale, double resolution) -> std::string {
+    SurfaceMesh mesh = test::analytic_double_bubble(1, 8);
+    for (Vertex v : mesh.vertices()) mesh.set_position(v, scale * mesh.position(v));
+    try {
+      SurfaceTracker(std::move(mesh), {.resolution = resolution});
+    } catch (const base::InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(refusal(1e38, 0.3e38), "");
+  EXPECT_EQ(refusal(1e-38, 0.3e-38), "");
+  EXPECT_NE(refusal(1e41, 1e39).find("vertex"), std::string::npos);
+  EXPECT_NE(refusal(1e-41, 1e-39).find("edge"), std::string::npos);
+  EXPECT_NE(refusal(1, 1e-41).find("resolution"), std::string::npos);
+  EXPECT_NE(refusal(1, 1e100).find("resolution"), std::string::npos);
+}
+
+// At each of its first looks in turn: the surface is whole then, and put back to the bit.
+TEST(SurfaceTracker, IsInterruptedWithinAStep) {
+  std::size_t looks = 0, stop_at = 0;
+  SurfaceMesh mesh = test::analytic_double_bubble(1, 12);
+  TrackerOptions options{.resolution = 0.6 * mean_edge_length(mesh)};
+  options.topology.enabled = true;
+  options.interruption = {[&] { return ++looks == stop_at; }};
+  SurfaceTracker tracker(std::move(mesh), options);
+  const auto before = tracker.state();
+  std::vector<Vec3> predicted = positions_of(tracker.mesh());
+  for (Vec3& x : predicted) x.x() *= 1.01;
+  tracker.step(predicted);
+  const std::size_t of_a_step = looks;
+  EXPECT_GT(of_a_step, 100U) << "it looks often";
+  for (stop_at = 1; stop_at < of_a_step; stop_at = 3 * stop_at + 1) {
+    tracker.restore(before);
+    looks = 0;
+    EXPECT_THROW(tracker.step(predicted), base::Interrupted) << stop_at;
+    EXPECT_EQ(audit(tracker.mesh()).text(), "clean") << stop_at;
+    tracker.restore(before);
+    EXPECT_TRUE(test::same_bits(before, tracker.state()));
+  }
+}
+
+TEST(SurfaceTracker, RemeshingIsBoundedByTheMostTriangles) {
+  SurfaceMesh mesh = test::analytic_double_bubble(1, 12);
+  const std::size_t start = mesh.triangle_count();
+  TrackerOptions options{.resolution = 0.2 * mean_edge_length(mesh)};
+  options.remesh.most_triangles = 2 * start;
+  SurfaceTracker tracker(std::move(mesh), options);
+  try {
+    tracker.remesh();
+    ADD_FAILURE() << "it made " << tracker.mesh().triangle_count() << " triangles of " << start;
+  } catch (const base::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("has come to " + std::to_string(2 * start)), std::string::npos)
+        << error.what();
+  }
+  EXPECT_LE(tracker.mesh().triangle_count(), 2 * start + 4);
+  EXPECT_EQ(audit(tracker.mesh()).text(), "clean");
+}
+
 TEST(SurfaceTracker, RemeshesOnlyWhenAskedTo) {
   SurfaceTracker tracker = double_bubble_tracker(12, {.remeshing = false});
   for (Vertex v : tracker.mesh().vertices()) tracker.mesh().set_position(v, 3 * tracker.mesh().position(v));

@@ -37,6 +37,19 @@ TEST(InterruptedRun, OfEverySignalSavesAndSaysHowToGoOn) {
   }
 }
 
+// The first step takes minutes: three spheres grow by more than their size, and are refined meanwhile.
+TEST(InterruptedRun, EndsWithinAStepWithTheOneBefore) {
+  const ScratchFolder scratch;
+  const ProgramResult result =
+      run_foamsim("run foaminit --set n=3 --set dt=1 --set resolution=0.01 --out " + (scratch / "run"),
+                  "timeout --foreground --preserve-status -s TERM 2");
+  EXPECT_EQ(result.exit_code, 143) << result.error;
+  const json run = json::parse(read_file(scratch / "run/run.json"));
+  EXPECT_EQ(run["ended"], "interrupted");
+  EXPECT_EQ(run["last_step"], 0);
+  EXPECT_TRUE(fs::exists(scratch.path() / "run/checkpoint.cbor"));
+}
+
 TEST(InterruptedRun, CanBeResumedToTheSameBits) {
   const ScratchFolder scratch;
   const std::string scene = "run doublebubble --set frame_every=7 --set vtp=true";

@@ -148,6 +148,7 @@ bool seen_elsewhere(const std::string& key) {
          key.starts_with("topology.") ||  // where films meet: TopologyOptionsOfScenes
          key == "load_dir" ||             // FoamStart, LoadScene
          key == "air_by_stage" ||         // AirByStage
+         key == "memory_limit" ||         // what is beyond it: Sizes
          key == "checkpoint_every" ||     // in an interrupted run only: InterruptedRun, KilledRun
          key == "checkpoint_seconds" ||   // the same
          key == "pressure";               // there is one

@@ -204,6 +204,41 @@ TEST(SafeMove, FilmBetweenClosingPlatesIsKeptBetweenThem) {
   }
 }
 
+// Sixty large triangles, and beside them, within the boxes of their edges, two thousand small ones.
+SurfaceMesh triangles_of_two_sizes() {
+  SurfaceMesh mesh;
+  const auto add = [&mesh](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vertex first = mesh.add_vertex(a), second = mesh.add_vertex(b), third = mesh.add_vertex(c);
+    mesh.add_triangle(first, second, third, {Region(1), air});
+  };
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 up(0, 0, 1e-3 * i);
+    add(up, Vec3(1, 1, 1) + up, Vec3(1, 0, 0.5) + up);
+  }
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(0.2, 0.8);
+  for (int i = 0; i < 2000; ++i) {
+    const double x = place(random) / 2;
+    const Vec3 at(x, x + 0.1 + 0.4 * place(random), place(random));
+    add(at, at + Vec3(1e-4, 0, 0), at + Vec3(0, 1e-4, 0));
+  }
+  return mesh;
+}
+
+TEST(SafeMove, SaysThatTheSizesOfTrianglesAreTooDifferent) {
+  SurfaceMesh mesh = triangles_of_two_sizes();
+  std::vector<Vec3> predicted = positions_of(mesh);
+  for (Vec3& x : predicted) x.z() += 1e-6;
+  try {
+    move_safely(mesh, predicted, {}, {});
+    ADD_FAILURE() << "it moved";
+  } catch (const CollisionFailure& failure) {
+    const std::string message = failure.what();
+    EXPECT_NE(message.find("sizes of its triangles are too different"), std::string::npos) << message;
+    EXPECT_EQ(message.find(" 0 pair"), std::string::npos) << message;
+  }
+}
+
 struct Outcome {
   std::vector<Vec3> positions;
   MoveStatistics sum;

@@ -26,6 +26,7 @@ class FakeMotion final : public Motion {
   void step() override {
     if (steps_ + 1 == fails_at) throw MotionError("stuck");
     if (steps_ + 1 == bad_input_at) throw base::InputError("no such thing");
+    if (steps_ + 1 == interrupted_at) throw base::Interrupted("interrupted");
     ++steps_;
     for (Vertex v : mesh_.vertices()) mesh_.set_position(v, mesh_.position(v) + Vec3(0, 0, 1));
     work_ = {};
@@ -45,7 +46,7 @@ class FakeMotion final : public Motion {
   void save(nlohmann::json& checkpoint) const override { checkpoint["steps"] = steps_; }
   void summarize(nlohmann::ordered_json& run) const override { run["height"] = steps_; }
 
-  long fails_at = -1, bad_input_at = -1;
+  long fails_at = -1, bad_input_at = -1, interrupted_at = -1;
   bool tables_fail = false, saved = true;
 
  private:

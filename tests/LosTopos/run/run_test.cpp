@@ -45,6 +45,14 @@ TEST(Run, IsInterruptedBetweenSteps) {
   EXPECT_EQ(fractions, (std::vector<double>{0.1, 0.2}));
 }
 
+TEST(Run, IsInterruptedWithinAStepWithTheOneBeforeAsItsLast) {
+  FakeMotion motion;
+  motion.interrupted_at = 5;
+  const Outcome outcome = run_in_memory(motion, {.last_step = 10});
+  EXPECT_EQ(outcome.end, End::interrupted);
+  EXPECT_EQ(motion.steps(), 4);
+}
+
 TEST(Run, FailsWithTheStepThatCannotBeDone) {
   FakeMotion motion;
   motion.fails_at = 3;

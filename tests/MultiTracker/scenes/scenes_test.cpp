@@ -8,6 +8,7 @@
 #include "MultiTracker/scenes/shapes/film_boxes.h"
 #include "MultiTracker/scenes/shapes/slotted_disc.h"
 #include "tests/MultiTracker/tracking_checks.h"
+#include "tests/support/film_meshes.h"
 
 namespace multitracker {
 namespace {
@@ -27,6 +28,33 @@ TEST(Scenes, StartCleanAndTakeAStep) {
     EXPECT_EQ(tracking.metrics().motion_fraction, 1);
     EXPECT_DOUBLE_EQ(tracking.metrics().time, tracking.dt());
   }
+}
+
+TEST(Scenes, KnowAboutHowLargeTheyAre) {
+  for (const SceneEntry& scene : scene_entries()) {
+    if (scene.triangles == nullptr) continue;
+    const base::OptionSet options = options_of(scene);
+    const auto there = static_cast<double>(own_surface(scene, options).triangle_count());
+    EXPECT_GT(scene.triangles(options), 0.6 * there) << scene.name;
+    EXPECT_LT(scene.triangles(options), 3 * there) << scene.name;
+  }
+}
+
+TEST(Tracking, AStepThatIsInterruptedIsUndone) {
+  const SceneEntry& scene = scene_by_name("normal-flow");
+  std::size_t looks = 0, stop_at = 0;
+  Tracking tracking(Origin{.scene = &scene, .options = options_of(scene)}, {[&] { return ++looks == stop_at; }});
+  tracking.step();
+  const auto before = tracking.tracker().state();
+  for (stop_at = 1; stop_at < 2000; stop_at = 5 * stop_at + 1) {
+    looks = 0;
+    EXPECT_THROW(tracking.step(), base::Interrupted) << stop_at;
+    EXPECT_EQ(tracking.steps(), 1);
+    EXPECT_TRUE(lostopos::test::same_bits(before, tracking.tracker().state())) << stop_at;
+  }
+  stop_at = 0;
+  tracking.step();
+  EXPECT_EQ(tracking.steps(), 2);
 }
 
 TEST(Scenes, AnUnknownNameOrKeyIsAnErrorWithTheNearest) {

@@ -170,6 +170,33 @@ TEST(InspectCommand, ExitCodeTellsWhetherTheMeshIsClean) {
   }
 }
 
+TEST(InspectCommand, RepairsAndSaysWhatItDidAndWhatIsLeft) {
+  const ScratchFolder scratch;
+  // A tetrahedron with vertices of its own for each face, one of them turned.
+  std::ofstream(scratch / "broken.obj")
+      << "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\n"
+         "v 0 0 1\nv 0 1 0\nv 0 0 0\nv 0 0 1\nf 1 3 2\nf 4 5 6\nf 7 8 9\nf 10 11 12\n";
+  EXPECT_EQ(run_foamsim("inspect " + (scratch / "broken.obj")).exit_code, 2);
+  const ProgramResult mended =
+      run_foamsim("inspect " + (scratch / "broken.obj") + " --repair " + (scratch / "mended.ply"));
+  EXPECT_EQ(mended.exit_code, 0) << mended.out << mended.error;
+  for (const char* done : {"8 vertices were at the place of another", "1 triangle was wound against"})
+    EXPECT_NE(mended.out.find(done), std::string::npos) << mended.out;
+  EXPECT_EQ(run_foamsim("inspect " + (scratch / "mended.ply")).exit_code, 0);
+
+  write_tetrahedra(scratch / "crossing.obj", 0.3);
+  const ProgramResult crossing =
+      run_foamsim("inspect --json " + (scratch / "crossing.obj") + " --repair " + (scratch / "still.obj"));
+  EXPECT_EQ(crossing.exit_code, 2) << crossing.out;
+  const auto report = nlohmann::json::parse(crossing.out);
+  EXPECT_TRUE(report.at("repaired").empty());
+  EXPECT_NE(report.at("findings").at(0).get<std::string>().find("move them apart"), std::string::npos);
+
+  const ProgramResult nowhere = run_foamsim("inspect " + (scratch / "broken.obj") + " --repair " + (scratch / "x.tex"));
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_NE(nowhere.error.find("known are .ply"), std::string::npos) << nowhere.error;
+}
+
 TEST(CompareCommand, TakesTheSceneBehindAList) {
   const ScratchFolder scratch;
   const ProgramResult result =

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <sstream>
 
 #include "LosTopos/geometry/predicates.h"
+#include "LosTopos/mesh/audit_findings.h"
 #include "LosTopos/mesh/audit_intersections.h"
+#include "LosTopos/mesh/audit_links.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/mesh/region_lines.h"
 
@@ -17,103 +17,24 @@ namespace {
 
 class Auditor {
  public:
-  Auditor(const SurfaceMesh& mesh, const AuditOptions& options) : mesh_(mesh), options_(options) {}
+  Auditor(const SurfaceMesh& mesh, const AuditOptions& options)
+      : mesh_(mesh),
+        options_(options),
+        report_(audit_links(mesh, options.max_findings)),
+        findings_(report_, options.max_findings) {}
 
   AuditReport run() {
-    check_vertices();
-    check_triangles();
-    check_edges();
     // The geometric checks walk the incidence and compute with positions: both must be sound first.
     if (report_.has(Defect::broken_incidence) || report_.has(Defect::not_finite)) return std::move(report_);
     check_duplicates();
     for (Edge e : mesh_.edges()) check_regions_around(e);
     if (!options_.intersections) return std::move(report_);
-    if (!full()) check_intersections();
+    if (!findings_.full()) check_intersections();
     if (!ends_in_the_open_ && labels_make_sense()) check_insides();
     return std::move(report_);
   }
 
  private:
-  bool full() const { return report_.findings.size() >= options_.max_findings; }
-
-  template <class... Parts>
-  void find(Defect defect, const Parts&... parts) {
-    if (full()) {
-      report_.truncated = true;
-      return;
-    }
-    std::ostringstream message;
-    message.precision(17);
-    (message << ... << parts);
-    report_.findings.push_back({defect, message.str()});
-  }
-
-  template <class List, class H>
-  static bool contains_once(const List& list, H element) {
-    return std::ranges::count(list, element) == 1;
-  }
-
-  std::string at(Vertex v) const {
-    std::ostringstream text;
-    text.precision(17);
-    text << "vertex " << v.index() << " at (" << mesh_.position(v).transpose() << ")";
-    return text.str();
-  }
-
-  void check_vertices() {
-    for (Vertex v : mesh_.vertices()) {
-      if (!mesh_.position(v).allFinite()) find(Defect::not_finite, at(v), " has a coordinate that is not finite");
-      if (mesh_.triangles(v).empty()) find(Defect::isolated_vertex, at(v), " has no triangle");
-      for (Triangle t : mesh_.triangles(v))
-        if (!mesh_.alive(t) || !contains_once(mesh_.vertices(t), v))
-          find(Defect::broken_incidence, at(v), " lists triangle ", t.index(), ", which does not have it as a corner");
-      for (Edge e : mesh_.edges(v))
-        if (!mesh_.alive(e) || !contains_once(mesh_.vertices(e), v))
-          find(Defect::broken_incidence, at(v), " lists edge ", e.index(), ", which does not end there");
-    }
-  }
-
-  void check_triangles() {
-    for (Triangle t : mesh_.triangles()) {
-      const Labels labels = mesh_.labels(t);
-      if (!labels.p.valid() || !labels.q.valid() || labels.p == labels.q)
-        find(Defect::bad_labels, "triangle ", t.index(), " has labels (", labels.p.index(), ", ", labels.q.index(),
-             ")");
-      for (int i = 0; i < 3; ++i) check_corner(t, i);
-    }
-  }
-
-  void check_corner(Triangle t, int i) {
-    const Vertex v = mesh_.vertices(t)[i];
-    const Edge e = mesh_.edges(t)[i];
-    if (!mesh_.alive(v) || !contains_once(mesh_.triangles(v), t)) {
-      find(Defect::broken_incidence, "triangle ", t.index(), " is not listed once at its vertex ", v.index());
-      return;
-    }
-    const Vertex b = mesh_.vertices(t)[(i + 1) % 3], c = mesh_.vertices(t)[(i + 2) % 3];
-    const bool ends_match =
-        mesh_.alive(e) && contains_once(mesh_.vertices(e), b) && contains_once(mesh_.vertices(e), c);
-    if (!ends_match || !contains_once(mesh_.triangles(e), t))
-      find(Defect::broken_incidence, "triangle ", t.index(), " and its edge ", e.index(), " contradict each other");
-  }
-
-  void check_edges() {
-    std::map<std::pair<Vertex, Vertex>, Edge> seen;
-    for (Edge e : mesh_.edges()) {
-      const auto [a, b] = std::minmax(mesh_.vertices(e)[0], mesh_.vertices(e)[1]);
-      if (a == b || !mesh_.alive(a) || !mesh_.alive(b) || !contains_once(mesh_.edges(a), e) ||
-          !contains_once(mesh_.edges(b), e))
-        find(Defect::broken_incidence, "edge ", e.index(), " is not listed once at both of its ends");
-      if (mesh_.triangles(e).empty()) find(Defect::broken_incidence, "edge ", e.index(), " has no triangle");
-      if (const auto [other, added] = seen.emplace(std::pair(a, b), e); !added)
-        find(Defect::broken_incidence, "edges ", e.index(), " and ", other->second.index(), " join the same vertices ",
-             a.index(), " and ", b.index());
-      for (Triangle t : mesh_.triangles(e))
-        if (!mesh_.alive(t) || !contains_once(mesh_.edges(t), e))
-          find(Defect::broken_incidence, "edge ", e.index(), " lists triangle ", t.index(), ", which does not have it");
-    }
-  }
-
   void check_duplicates() {
     for (Edge e : mesh_.edges()) {
       const auto around = mesh_.triangles(e);
@@ -121,13 +42,14 @@ class Auditor {
         for (std::size_t j = i + 1; j < around.size(); ++j) {
           const bool same = mesh_.opposite_vertex(around[i], e) == mesh_.opposite_vertex(around[j], e);
           if (same && *std::ranges::min_element(mesh_.edges(around[i])) == e)
-            find(Defect::duplicate_triangle, "triangles ", around[i].index(), " and ", around[j].index(),
-                 " have the same three vertices");
+            findings_.add(Defect::duplicate_triangle, "triangles ", around[i].index(), " and ", around[j].index(),
+                          " have the same three vertices");
         }
     }
     for (Triangle t : mesh_.triangles()) {
       const auto [a, b, c] = corners(mesh_, t);
-      if (collinear(a, b, c)) find(Defect::degenerate_triangle, "triangle ", t.index(), " has its corners on a line");
+      if (collinear(a, b, c))
+        findings_.add(Defect::degenerate_triangle, "triangle ", t.index(), " has its corners on a line");
     }
   }
 
@@ -141,7 +63,8 @@ class Auditor {
       const bool at_wall = !outward.isZero(0);
       (at_wall ? ends_at_walls_ : ends_in_the_open_) = true;
       if (options_.closed_regions && !at_wall)
-        find(Defect::open_region, "the surface ends at edge ", e.index(), " (", at(a), ", ", at(b), ")");
+        findings_.add(Defect::open_region, "the surface ends at edge ", e.index(), " (", described(mesh_, a), ", ",
+                      described(mesh_, b), ")");
       return;
     }
     const Vec3 axis = mesh_.position(b) - mesh_.position(a);
@@ -164,8 +87,9 @@ class Auditor {
       const Film& film = films[i];
       const Film& next = films[(i + 1) % films.size()];
       if (film.after != next.before && !nearly_same_direction(films, i) && !lies_between(films, i, beyond))
-        find(Defect::inconsistent_labels, "around edge ", e.index(), " (", at(a), ", ", at(b), ") region ",
-             film.after.index(), " meets region ", next.before.index(), " with no film between them");
+        findings_.add(Defect::inconsistent_labels, "around edge ", e.index(), " (", described(mesh_, a), ", ",
+                      described(mesh_, b), ") region ", film.after.index(), " meets region ", next.before.index(),
+                      " with no film between them");
     }
   }
 
@@ -194,13 +118,13 @@ class Auditor {
   // What the edges cannot tell: they agree on a bubble that is turned inside out.
   void check_insides() {
     for (const std::string& message : contradictions_on_lines(mesh_, !ends_at_walls_, options_.max_findings))
-      find(Defect::inside_out, message);
+      findings_.add(Defect::inside_out, message);
   }
 
   void check_intersections() {
     for (const EdgeTriangleContact& contact : edge_triangle_contacts(mesh_, options_.max_findings))
-      find(Defect::intersection, "edge ", contact.edge.index(), " meets triangle ", contact.triangle.index(), " near ",
-           at(mesh_.vertices(contact.edge)[0]));
+      findings_.add(Defect::intersection, "edge ", contact.edge.index(), " meets triangle ", contact.triangle.index(),
+                    " near ", described(mesh_, mesh_.vertices(contact.edge)[0]));
     for (Edge e : mesh_.edges()) check_folds(e);
   }
 
@@ -212,13 +136,14 @@ class Auditor {
         if (coplanar_overlap_sharing_edge(mesh_.position(a), mesh_.position(b),
                                           mesh_.position(mesh_.opposite_vertex(around[i], e)),
                                           mesh_.position(mesh_.opposite_vertex(around[j], e))))
-          find(Defect::intersection, "triangles ", around[i].index(), " and ", around[j].index(),
-               " are folded onto each other at edge ", e.index());
+          findings_.add(Defect::intersection, "triangles ", around[i].index(), " and ", around[j].index(),
+                        " are folded onto each other at edge ", e.index());
   }
 
   const SurfaceMesh& mesh_;
   const AuditOptions& options_;
   AuditReport report_;
+  AuditFindings findings_;
   bool ends_at_walls_ = false, ends_in_the_open_ = false;
 };
 

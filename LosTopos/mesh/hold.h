@@ -62,6 +62,11 @@ inline Hold common_hold(Hold a, const Vec3& at_a, Hold b, const Vec3& at_b) {
 template <>
 struct AttributeCodec<Hold> : PlainCodec<Hold> {
   static std::string type() { return "hold"; }
+  static std::optional<std::vector<Hold>> decode(std::span<const std::uint8_t> bytes) {
+    for (std::uint8_t byte : bytes)
+      if (byte > static_cast<std::uint8_t>(Hold::all)) return {};
+    return PlainCodec<Hold>::decode(bytes);
+  }
   static constexpr int components = 1;
   static double number(Hold value, int) { return static_cast<double>(value); }
 };

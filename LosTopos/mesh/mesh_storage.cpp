@@ -3,6 +3,7 @@
 #include <string>
 
 #include "LosTopos/error.h"
+#include "LosTopos/mesh/audit_links.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace lostopos {
@@ -44,15 +45,27 @@ std::size_t list_bytes(const std::vector<List>& lists) {
   return bytes;
 }
 
-template <class Lists, class Alive>
-void require_lists_point_to(const Lists& lists, const std::vector<char>& owners, Alive alive, const char* what) {
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    if (!owners[i]) continue;
-    for (auto element : lists[i])
-      if (!alive(element))
-        throw MeshError(std::string("mesh state: ") + what + " " + std::to_string(i) + " refers to element " +
-                        std::to_string(element.index()) + ", which does not exist");
+[[noreturn]] void refuse(const char* what, std::size_t slot, const char* message) {
+  throw MeshError(std::string("mesh state: ") + what + " " + std::to_string(slot) + " " + message);
+}
+
+// The slots that are not in use are the free ones, each once.
+void require_sound(const SlotPool& pool, const char* what) {
+  std::vector<char> in_use = pool.alive();
+  for (std::uint32_t slot : pool.free()) {
+    if (slot >= in_use.size() || in_use[slot] != 0)
+      refuse(what, slot, "is free, and in use, or twice free, or not there");
+    in_use[slot] = 1;
   }
+  for (std::size_t slot = 0; slot < in_use.size(); ++slot)
+    if (in_use[slot] != 1) refuse(what, slot, "is neither in use nor free");
+}
+
+// What takes a free slot into use finds its lists empty.
+template <class Lists>
+void require_empty_where_free(const Lists& lists, const SlotPool& pool, const char* what) {
+  for (std::uint32_t slot : pool.free())
+    if (!lists[slot].empty()) refuse(what, slot, "is not in use, and has neighbours");
 }
 
 void require_lengths(const std::vector<StoredAttribute>& attributes, std::size_t slots, const char* what) {
@@ -69,15 +82,12 @@ void require_consistent(const SurfaceMesh::State& s) {
       s.edge_vertices.size() != ne || s.edge_triangles.size() != ne || s.triangle_vertices.size() != nt ||
       s.triangle_edges.size() != nt || s.labels.size() != nt)
     throw MeshError("mesh state: its arrays differ in length");
-  auto vertex_lives = [&s](Vertex v) { return s.vertices.is_alive(v.index()); };
-  auto edge_lives = [&s](Edge e) { return s.edges.is_alive(e.index()); };
-  auto triangle_lives = [&s](Triangle t) { return s.triangles.is_alive(t.index()); };
-  require_lists_point_to(s.vertex_edges, s.vertices.alive(), edge_lives, "vertex");
-  require_lists_point_to(s.vertex_triangles, s.vertices.alive(), triangle_lives, "vertex");
-  require_lists_point_to(s.edge_vertices, s.edges.alive(), vertex_lives, "edge");
-  require_lists_point_to(s.edge_triangles, s.edges.alive(), triangle_lives, "edge");
-  require_lists_point_to(s.triangle_vertices, s.triangles.alive(), vertex_lives, "triangle");
-  require_lists_point_to(s.triangle_edges, s.triangles.alive(), edge_lives, "triangle");
+  require_sound(s.vertices, "vertex");
+  require_sound(s.edges, "edge");
+  require_sound(s.triangles, "triangle");
+  require_empty_where_free(s.vertex_edges, s.vertices, "vertex");
+  require_empty_where_free(s.vertex_triangles, s.vertices, "vertex");
+  require_empty_where_free(s.edge_triangles, s.edges, "edge");
   require_lengths(s.vertex_attributes, nv, "vertex");
   require_lengths(s.edge_attributes, ne, "edge");
   require_lengths(s.triangle_attributes, nt, "triangle");
@@ -87,7 +97,9 @@ SurfaceMesh SurfaceMesh::clone() const {
   State copy = state();
   for (auto* attributes : {&copy.vertex_attributes, &copy.edge_attributes, &copy.triangle_attributes})
     attributes->clear();
-  return from_state(copy);
+  SurfaceMesh mesh;
+  mesh.restore(copy);
+  return mesh;
 }
 
 SurfaceMesh::State SurfaceMesh::state() const {
@@ -134,6 +146,9 @@ SurfaceMesh SurfaceMesh::from_state(const State& state) {
   require_consistent(state);
   SurfaceMesh mesh;
   mesh.restore(state);
+  // Vertices without triangles are nothing that a mesh cannot have, and what is found last.
+  for (const auto& [defect, message] : audit_links(mesh, 1).findings)
+    if (defect != Defect::isolated_vertex) throw MeshError(std::string("mesh state: ") + name(defect) + ": " + message);
   return mesh;
 }
 

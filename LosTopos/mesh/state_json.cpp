@@ -3,10 +3,11 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "LosTopos/error.h"
+#include "Base/json/checked_json.h"
 
 namespace lostopos {
 
+using base::CheckedJson;
 using nlohmann::json;
 
 namespace {
@@ -20,9 +21,9 @@ json blob(const std::vector<T>& values) {
 }
 
 template <class T>
-std::vector<T> from_blob(const json& value) {
-  const auto& bytes = value.get_binary();
-  if (bytes.size() % sizeof(T) != 0) throw base::InputError("an array is cut off");
+std::vector<T> from_blob(const CheckedJson& value) {
+  const auto& bytes = value.bytes();
+  if (bytes.size() % sizeof(T) != 0) value.refuse("is cut off");
   std::vector<T> values(bytes.size() / sizeof(T));
   if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   return values;
@@ -39,35 +40,42 @@ json list_blobs(const Lists& lists) {
   return {blob(lengths), blob(elements)};
 }
 
+template <class List>
+void fill(List& list, std::span<const std::uint32_t> elements, const CheckedJson& value) {
+  using H = typename List::value_type;
+  if constexpr (requires { list.push_back(H()); }) {
+    for (std::uint32_t element : elements) list.push_back(H(element));
+  } else {
+    if (elements.size() != list.size())
+      value.refuse("has " + std::to_string(elements.size()) + " entries where " + std::to_string(list.size()) +
+                   " belong");
+    for (std::size_t i = 0; i < list.size(); ++i) list[i] = H(elements[i]);
+  }
+}
+
 template <class Lists>
-void from_list_blobs(const json& value, Lists& lists) {
-  using List = typename Lists::value_type;
-  const auto lengths = from_blob<std::uint32_t>(value.at(0)), elements = from_blob<std::uint32_t>(value.at(1));
-  std::size_t next = 0;
+void from_list_blobs(const CheckedJson& value, Lists& lists) {
+  const auto parts = value.entries(2);
+  const auto lengths = from_blob<std::uint32_t>(parts[0]), elements = from_blob<std::uint32_t>(parts[1]);
+  std::span<const std::uint32_t> left(elements);
+  lists.reserve(lengths.size());
   for (std::uint32_t length : lengths) {
-    if (length > elements.size() - next) throw base::InputError("a list of elements is cut off");
-    List list{};
-    for (std::uint32_t i = 0; i < length; ++i) {
-      const typename List::value_type element(elements[next++]);
-      if constexpr (requires { list.push_back(element); })
-        list.push_back(element);
-      else
-        list.at(i) = element;
-    }
+    if (length > left.size()) value.refuse("is cut off");
+    typename Lists::value_type list{};
+    fill(list, left.first(length), value);
+    left = left.subspan(length);
     lists.push_back(std::move(list));
   }
+  if (!left.empty()) value.refuse("has elements that belong to no list");
 }
 
 json pool_json(const SlotPool& pool) {
   return {blob(pool.alive()), blob(pool.free())};
 }
 
-SlotPool pool_from(const json& value) {
-  auto alive = from_blob<char>(value.at(0));
-  auto free = from_blob<std::uint32_t>(value.at(1));
-  for (std::uint32_t slot : free)
-    if (slot >= alive.size() || alive[slot]) throw base::InputError("a free slot is in use");
-  return {std::move(alive), std::move(free)};
+SlotPool pool_from(const CheckedJson& value) {
+  const auto parts = value.entries(2);
+  return {from_blob<char>(parts[0]), from_blob<std::uint32_t>(parts[1])};
 }
 
 json attributes_json(const std::vector<StoredAttribute>& attributes) {
@@ -77,12 +85,15 @@ json attributes_json(const std::vector<StoredAttribute>& attributes) {
   return by_name;
 }
 
-std::vector<StoredAttribute> attributes_from(const json& by_name) {
+std::vector<StoredAttribute> attributes_from(const CheckedJson& by_name) {
+  if (!by_name.json().is_object()) by_name.refuse("is not an object");
   std::vector<StoredAttribute> attributes;
-  for (const auto& [name, value] : by_name.items()) {
-    const std::vector<std::uint8_t>& bytes = value.at("bytes").get_binary();
-    attributes.emplace_back(
-        name, std::make_unique<EncodedValues>(value.at("type"), value.at("count").get<std::size_t>(), bytes));
+  for (const auto& entry : by_name.json().items()) {
+    const CheckedJson value = by_name.at(entry.key());
+    attributes.emplace_back(entry.key(),
+                            std::make_unique<EncodedValues>(value.at("type").text(),
+                                                            static_cast<std::size_t>(value.at("count").whole_number()),
+                                                            value.at("bytes").bytes()));
   }
   return attributes;
 }
@@ -110,13 +121,14 @@ json to_json(const SurfaceMesh::State& s) {
           {"triangle_attributes", attributes_json(s.triangle_attributes)}};
 }
 
-SurfaceMesh::State mesh_state_from_json(const json& value) {
+SurfaceMesh::State mesh_state_from_json(const json& json_value) {
+  const CheckedJson value(json_value, "surface");
   SurfaceMesh::State s;
   s.vertices = pool_from(value.at("vertices"));
   s.edges = pool_from(value.at("edges"));
   s.triangles = pool_from(value.at("triangles"));
   const auto coordinates = from_blob<double>(value.at("positions"));
-  if (coordinates.size() % 3 != 0) throw base::InputError("a position is cut off");
+  if (coordinates.size() % 3 != 0) value.at("positions").refuse("is cut off");
   for (std::size_t i = 0; i < coordinates.size(); i += 3)
     s.positions.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
   from_list_blobs(value.at("vertex_edges"), s.vertex_edges);
@@ -130,7 +142,7 @@ SurfaceMesh::State mesh_state_from_json(const json& value) {
   s.vertex_attributes = attributes_from(value.at("vertex_attributes"));
   s.edge_attributes = attributes_from(value.at("edge_attributes"));
   s.triangle_attributes = attributes_from(value.at("triangle_attributes"));
-  require_consistent(s);
+  (void)SurfaceMesh::from_state(s);
   return s;
 }
 

@@ -11,8 +11,7 @@ namespace lostopos {
 nlohmann::json to_json(const SurfaceMesh::State& state);
 
 /// The state back, to the bit. Attributes keep the bytes as they are, until one of the name decodes them. Throws
-/// base::InputError or nlohmann::json::exception for anything that is not such a value, MeshError for a state that is
-/// not consistent.
+/// base::InputError for anything that is not such a value, MeshError for a state that SurfaceMesh::from_state refuses.
 SurfaceMesh::State mesh_state_from_json(const nlohmann::json& value);
 
 }  // namespace lostopos

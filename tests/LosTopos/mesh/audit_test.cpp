@@ -24,7 +24,9 @@ template <class Change>
 SurfaceMesh tampered(Change&& change) {
   auto state = test::corner_tetrahedron().state();
   change(state);
-  return SurfaceMesh::from_state(state);
+  SurfaceMesh mesh;
+  mesh.restore(state);
+  return mesh;
 }
 
 TEST(AuditClean, ClosedBubbles) {
@@ -61,6 +63,14 @@ TEST(AuditBrokenIncidence, VertexListsATriangleThatIsNotThere) {
 TEST(AuditBrokenIncidence, VertexListsATriangleTwice) {
   expect_only(tampered([](auto& s) { s.vertex_triangles[0].push_back(s.vertex_triangles[0][0]); }),
               Defect::broken_incidence);
+}
+
+TEST(AuditBrokenIncidence, IsFoundBehindManyIsolatedVertices) {
+  auto state = tampered([](auto& s) { s.vertex_triangles[2].pop_back(); }).state();
+  SurfaceMesh mesh;
+  mesh.restore(state);
+  for (int i = 0; i < 10; ++i) (void)mesh.add_vertex({5.0 + i, 0, 0});
+  EXPECT_TRUE(audit(mesh, {.max_findings = 3}).has(Defect::broken_incidence));
 }
 
 TEST(AuditBrokenIncidence, VertexForgetsItsEdge) {

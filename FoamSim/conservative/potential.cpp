@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 #include "Base/parallel/for_each.h"
 #include "FoamSim/conservative/potential_transfer.h"
@@ -30,6 +31,13 @@ std::size_t entry_of(const FilmConnectivity& films, std::size_t v, Region r) {
 const double* find(const VertexPotential& potential, Region r) {
   const auto it = std::ranges::lower_bound(potential, r, {}, &RegionPotential::region);
   return it != potential.end() && it->region == r ? &it->value : nullptr;
+}
+
+bool is_sound(const VertexPotential& potential) {
+  const auto is_none = [](const RegionPotential& each) { return !each.region.valid() || !std::isfinite(each.value); };
+  return std::ranges::none_of(potential, is_none) &&
+         std::ranges::adjacent_find(potential, std::ranges::greater_equal(), &RegionPotential::region) ==
+             potential.end();
 }
 
 VertexPotential interpolate(const VertexPotential& a, const VertexPotential& b, double t) {
@@ -137,9 +145,12 @@ void AttributeCodec<foamsim::VertexPotential>::encode(std::span<const foamsim::V
 
 std::optional<std::vector<foamsim::VertexPotential>> AttributeCodec<foamsim::VertexPotential>::decode(
     std::span<const std::uint8_t> bytes) {
-  return PotentialCodec::decode(bytes, [](const StoredPotential& stored) {
-    return foamsim::RegionPotential{Region(static_cast<std::uint32_t>(stored.region)), stored.value};
+  auto values = PotentialCodec::decode(bytes, [](const StoredPotential& stored) {
+    const bool is_region = stored.region < Region::invalid_index;
+    return foamsim::RegionPotential{is_region ? Region(stored.region) : Region(), stored.value};
   });
+  if (!values || !std::ranges::all_of(*values, [](const auto& own) { return foamsim::is_sound(own); })) return {};
+  return values;
 }
 
 }  // namespace lostopos

@@ -22,6 +22,9 @@ using VertexPotential = boost::container::small_vector<RegionPotential, 2>;
 /// φ of region r; null where it is not held.
 const double* find(const VertexPotential& potential, lostopos::Region r);
 
+/// Whether it is what a vertex can hold: regions in ascending order, each once, with finite values.
+bool is_sound(const VertexPotential& potential);
+
 /// (1 − t) a + t b for every region that both hold, levelled first so that constants do not matter; a region that one
 /// holds comes from it.
 VertexPotential interpolate(const VertexPotential& a, const VertexPotential& b, double t);

@@ -190,6 +190,7 @@ void PotentialTransfer::conserve(const SurfaceMesh& mesh, Vertex v) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
   double total = 0;
   for (const FilmSum& film : sums_) {
+    if (find(own, film.pair.low) == nullptr || find(own, film.pair.high) == nullptr) continue;
     double weight = 0, others = 0;
     for (Triangle t : mesh.triangles(v)) {
       if (!(RegionPair(mesh.labels(t)) == film.pair)) continue;

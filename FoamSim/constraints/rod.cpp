@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "FoamSim/constraints/border_chain.h"
 #include "FoamSim/constraints/wire_transfer.h"
 
@@ -20,7 +21,7 @@ void Rod::attach(lostopos::SurfaceTracker& tracker) {
   velocities_.emplace(
       tracker.mesh().add_vertex_attribute<Vec3>("rod_velocity", lostopos::carry::copy, Vec3(Vec3::Zero())));
   // One that is on its way is put back by `restore`.
-  if (std::ranges::any_of(places_->slots(), [](std::int32_t place) { return place != 0; })) return;
+  if (std::ranges::any_of(places_->slots(), [](std::int32_t place) { return place != 0; })) return find_chain(mesh);
   const auto held = std::as_const(tracker).held().slots();
   const std::vector<Vertex> order = border_chain(mesh, held);
   for (std::size_t i = 0; i < order.size(); ++i) (*places_)[order[i]] = static_cast<std::int32_t>(i) + 1;
@@ -40,6 +41,24 @@ void Rod::attach(lostopos::SurfaceTracker& tracker) {
     for (Vertex v : options_.fixed->of(mesh, held))
       if (const std::int32_t place = (*places_)[v]; place > 0) fixed[static_cast<std::size_t>(place) - 1] = 1;
   make_chain(std::move(lengths), std::move(fixed));
+}
+
+void Rod::find_chain(const SurfaceMesh& mesh) {
+  std::vector<char> found;
+  for (Vertex v : mesh.vertices()) {
+    if (!(*velocities_)[v].allFinite())
+      throw base::InputError("the velocity of the rod's vertex " + std::to_string(v.index()) + " is not finite");
+    const std::int32_t place = (*places_)[v];
+    if (place == 0) continue;
+    if (place < 0 || static_cast<std::size_t>(place) > mesh.vertex_count())
+      throw base::InputError("vertex " + std::to_string(v.index()) + " is at place " + std::to_string(place) +
+                             " of the rod, which has none such");
+    found.resize(std::max(found.size(), static_cast<std::size_t>(place)), 0);
+    found[static_cast<std::size_t>(place) - 1] = 1;
+  }
+  if (std::ranges::find(found, 0) != found.end())
+    throw base::InputError("the rod's vertices are not a chain: a place has none");
+  fixed_.assign(found.size(), 0);
 }
 
 void Rod::make_chain(std::vector<double> lengths, std::vector<char> fixed) {
@@ -129,10 +148,15 @@ nlohmann::json Rod::state() const {
   return {{"lengths", rod_->lengths()}, {"fixed", std::vector<int>(fixed_.begin(), fixed_.end())}};
 }
 
-void Rod::restore(const nlohmann::json& state) {
-  if (!state.is_object()) throw base::InputError("the state is not one of constraint 'rod'");
-  const auto fixed = state.at("fixed").get<std::vector<int>>();
-  make_chain(state.at("lengths").get<std::vector<double>>(), {fixed.begin(), fixed.end()});
+void Rod::restore(const nlohmann::json& json_state) {
+  const base::CheckedJson state(json_state, "the state of constraint 'rod'");
+  std::vector<char> fixed;
+  for (const base::CheckedJson& each : state.at("fixed").entries(fixed_.size()))
+    fixed.push_back(static_cast<char>(each.whole_number(0, 1)));
+  std::vector<double> lengths;
+  for (const base::CheckedJson& each : state.at("lengths").entries(options_.looped ? fixed.size() : fixed.size() - 1))
+    lengths.push_back(each.positive_number());
+  make_chain(std::move(lengths), std::move(fixed));
 }
 
 }  // namespace foamsim

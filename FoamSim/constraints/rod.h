@@ -38,6 +38,8 @@ class Rod final : public Constraint {
  private:
   // The vertices from the first to the last.
   std::vector<lostopos::Vertex> chain(const lostopos::SurfaceMesh& mesh) const;
+  // Of a rod that is on its way: sees to it that there is a vertex at each place, as many as fixed_ has entries.
+  void find_chain(const lostopos::SurfaceMesh& mesh);
   void make_chain(std::vector<double> lengths, std::vector<char> fixed);
   std::vector<RodFilm> films(const EffectStep& step, const std::vector<lostopos::Vertex>& vertices,
                              std::span<const lostopos::Vec3> x) const;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "Base/options/option_value.h"
 #include "FoamSim/constraints/wire_groups.h"
 #include "FoamSim/constraints/wire_transfer.h"
@@ -42,7 +43,7 @@ void Wire::attach(lostopos::SurfaceTracker& tracker) {
   const SurfaceMesh& mesh = tracker.mesh();
   paths_.emplace(tracker.mesh().add_vertex_attribute<Path>("wire", std::make_unique<WireTransfer>(), none));
   // What is on its way already knows where it belongs.
-  if (std::ranges::any_of(paths_->slots(), [](Path path) { return path != none; })) return;
+  if (std::ranges::any_of(paths_->slots(), [](Path path) { return path != none; })) return require_known_paths(mesh);
   const std::vector<lostopos::Hold> held(tracker.held().slots().begin(), tracker.held().slots().end());
   for (std::size_t i = 0; i < wires_.size(); ++i) hold(mesh, i, wires_[i].selection.of(mesh, held));
   for (Vertex v : mesh.vertices())
@@ -57,6 +58,13 @@ void Wire::attach(lostopos::SurfaceTracker& tracker) {
     throw base::InputError(
         "constraint 'wire' has nothing to hold: the start mesh marks no vertices as held, and no wire names any; give "
         "--set wires='SELECTION: MOTION'");
+}
+
+void Wire::require_known_paths(const SurfaceMesh& mesh) const {
+  for (Vertex v : mesh.vertices())
+    if (const Path its = (*paths_)[v]; its < none || its >= path(wires_.size(), false))
+      throw base::InputError("vertex " + std::to_string(v.index()) + " is on wire path " + std::to_string(its) +
+                             ", and there are " + std::to_string(wires_.size()) + " wires");
 }
 
 void Wire::hold(const SurfaceMesh& mesh, std::size_t wire, const std::vector<Vertex>& vertices) {
@@ -131,10 +139,9 @@ nlohmann::json Wire::state() const {
 
 void Wire::restore(const nlohmann::json& state) {
   if (state.is_null()) return;
-  if (!state.is_array() || state.size() != axes_.size())
-    throw base::InputError("the state of constraint 'wire' is one of other wires");
+  const auto axes = base::CheckedJson(state, "the state of constraint 'wire'").entries(axes_.size());
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const auto axis = state[i].get<std::array<double, 3>>();
+    const std::vector<double> axis = axes[i].finite_numbers(3);
     axes_[i] = Vec3(axis[0], axis[1], axis[2]);
   }
 }

@@ -34,6 +34,7 @@ class Wire final : public Constraint {
   static Path path(std::size_t wire, bool second_group) {
     return static_cast<Path>(2 + 2 * wire + (second_group ? 1 : 0));
   }
+  void require_known_paths(const lostopos::SurfaceMesh& mesh) const;
   void hold(const lostopos::SurfaceMesh& mesh, std::size_t wire, const std::vector<lostopos::Vertex>& vertices);
   // Of a vertex on that path between two times, L.
   lostopos::Vec3 displacement(Path path, double start, double end) const;

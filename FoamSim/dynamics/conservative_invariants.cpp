@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "FoamSim/dynamics/conservative.h"
 
 namespace foamsim {
@@ -44,22 +44,23 @@ nlohmann::json Conservative::state() const {
           {"about", {about_.x(), about_.y(), about_.z()}}};
 }
 
-void Conservative::restore(const nlohmann::json& state) {
-  if (!state.is_object()) throw base::InputError("the state is not one of the conservative dynamics");
-  if (state.empty()) {
+void Conservative::restore(const nlohmann::json& json_state) {
+  const base::CheckedJson state(json_state, "the state of the conservative dynamics");
+  if (!json_state.is_object()) state.refuse("is one of other dynamics");
+  if (json_state.empty()) {
     kept_.reset();
     return;
   }
-  const auto from = [](const nlohmann::json& v) {
-    const auto number = [&v](std::size_t i) { return v.at(i).get<double>(); };
-    return Invariants{number(0), {number(1), number(2), number(3)}, {number(4), number(5), number(6)}};
+  const auto from = [](const base::CheckedJson& value) {
+    const std::vector<double> x = value.finite_numbers(7);
+    return Invariants{x[0], {x[1], x[2], x[3]}, {x[4], x[5], x[6]}};
   };
   const Invariants kept = from(state.at("kept")), missing = from(state.at("missing"));
-  expected_kinetic_ = state.at("expected_kinetic_energy");
-  surface_energy_ = state.at("surface_energy");
-  wire_due_ = state.value("wire_work", 0.0);
-  const nlohmann::json& about = state.at("about");
-  about_ = Vec3(about.at(0).get<double>(), about.at(1).get<double>(), about.at(2).get<double>());
+  const std::vector<double> about = state.at("about").finite_numbers(3);
+  expected_kinetic_ = state.at("expected_kinetic_energy").finite_number();
+  surface_energy_ = state.at("surface_energy").finite_number();
+  wire_due_ = state.at("wire_work").finite_number();
+  about_ = Vec3(about[0], about[1], about[2]);
   kept_ = kept;
   missing_ = missing;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "FoamSim/dynamics/simulation.h"
 #include "LosTopos/mesh/state_json.h"
 
@@ -13,6 +14,9 @@ using nlohmann::json;
 
 namespace {
 
+// Up to here a double holds the number of a step, and its time.
+constexpr std::int64_t most_steps = std::int64_t{1} << 53;
+
 json topology_json(const TopologyTotals& t) {
   return {{"snaps", t.snaps},
           {"edge_merges", t.edge_merges},
@@ -21,12 +25,13 @@ json topology_json(const TopologyTotals& t) {
           {"cancelled_triangles", t.cancelled_triangles}};
 }
 
-TopologyTotals topology_from(const json& value) {
-  return {.snaps = value.at("snaps"),
-          .edge_merges = value.at("edge_merges"),
-          .separations = value.at("separations"),
-          .region_collapses = value.at("region_collapses"),
-          .cancelled_triangles = value.at("cancelled_triangles")};
+TopologyTotals topology_from(const base::CheckedJson& value) {
+  const auto count = [&value](const char* key) { return static_cast<std::size_t>(value.at(key).whole_number()); };
+  return {.snaps = count("snaps"),
+          .edge_merges = count("edge_merges"),
+          .separations = count("separations"),
+          .region_collapses = count("region_collapses"),
+          .cancelled_triangles = count("cancelled_triangles")};
 }
 
 // What the models of one kind remember, those that remember nothing left out.
@@ -60,12 +65,17 @@ json to_json(const SimulationState& state) {
           {"models", state.models ? *state.models : json::object()}};
 }
 
-SimulationState simulation_state_from_json(const json& value) {
-  return {.steps = value.at("steps"),
-          .dt = value.at("dt"),
+SimulationState simulation_state_from_json(const json& json_value) {
+  const base::CheckedJson value(json_value, "state");
+  const base::CheckedJson models = value.at("models");
+  for (const char* kind : {"effects", "constraints"})
+    if (!models.at(kind).json().is_object()) models.at(kind).refuse("is not an object");
+  (void)models.at("dynamics");
+  return {.steps = value.at("steps").whole_number(0, most_steps),
+          .dt = value.at("dt").positive_number(),
           .topology = topology_from(value.at("topology")),
-          .tracker = lostopos::mesh_state_from_json(value.at("surface")),
-          .models = std::make_shared<const json>(value.at("models"))};
+          .tracker = lostopos::mesh_state_from_json(value.at("surface").json()),
+          .models = std::make_shared<const json>(models.json())};
 }
 
 SimulationState Simulation::state() const {

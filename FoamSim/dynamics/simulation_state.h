@@ -20,7 +20,8 @@ struct SimulationState {
 
 /// For checkpoints; binary arrays inside, so that CBOR is the format to write it in.
 nlohmann::json to_json(const SimulationState& state);
-/// Throws base::Error or nlohmann::json::exception for anything but what to_json gives.
+/// Throws base::Error for anything but what to_json gives. What models remember they look at themselves, when it is
+/// given back to them.
 SimulationState simulation_state_from_json(const nlohmann::json& value);
 
 }  // namespace foamsim

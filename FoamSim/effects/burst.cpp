@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/mesh/region_burst.h"
 
@@ -89,7 +90,10 @@ nlohmann::json Burst::state() const {
 
 void Burst::restore(const nlohmann::json& state) {
   std::vector<Done> done;
-  for (const auto& entry : state) done.push_back({Region(entry.at(0).get<std::uint32_t>()), entry.at(1).get<double>()});
+  for (const base::CheckedJson& entry : base::CheckedJson(state, "the state of effect 'burst'").entries()) {
+    const auto parts = entry.entries(2);
+    done.push_back({Region(parts[0].index()), parts[1].finite_number()});
+  }
   done_ = std::move(done);
 }
 

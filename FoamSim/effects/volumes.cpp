@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "FoamSim/sheet/bubble_volumes.h"
 
 namespace foamsim {
@@ -87,7 +88,10 @@ nlohmann::json Volumes::state() const {
 
 void Volumes::restore(const nlohmann::json& state) {
   std::map<Region, double> wanted;
-  for (const auto& entry : state) wanted[Region(entry.at(0).get<std::uint32_t>())] = entry.at(1).get<double>();
+  for (const base::CheckedJson& entry : base::CheckedJson(state, "the state of effect 'volumes'").entries()) {
+    const auto parts = entry.entries(2);
+    wanted[Region(parts[0].index())] = parts[1].finite_number();
+  }
   wanted_ = std::move(wanted);
 }
 

@@ -1,14 +1,15 @@
 #include "FoamSim/run/checkpoint.h"
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "Base/error.h"
+#include "Base/json/checked_json.h"
 #include "Base/options/options_json.h"
-#include "LosTopos/error.h"
+#include "LosTopos/run/proportion.h"
 
 namespace foamsim {
 
+using base::CheckedJson;
 using lostopos::Region;
 using lostopos::SurfaceMesh;
 using nlohmann::json;
@@ -30,18 +31,18 @@ json last_json(const StepReport& last) {
           {"motion_fraction", last.motion_fraction}};
 }
 
-lostopos::Vec3 vector_from(const json& value) {
-  const auto x = value.get<std::array<double, 3>>();
+lostopos::Vec3 vector_from(const CheckedJson& value) {
+  const std::vector<double> x = value.finite_numbers(3);
   return {x[0], x[1], x[2]};
 }
 
-StepReport last_from(const json& value) {
+StepReport last_from(const CheckedJson& value) {
   StepReport last;
-  last.kinetic_energy = value.at("kinetic_energy");
-  last.potential_energy = value.at("potential_energy");
+  last.kinetic_energy = value.at("kinetic_energy").finite_number();
+  last.potential_energy = value.at("potential_energy").finite_number();
   last.impulse = vector_from(value.at("impulse"));
-  last.impulse_scale = value.at("impulse_scale");
-  last.motion_fraction = value.at("motion_fraction");
+  last.impulse_scale = value.at("impulse_scale").finite_number();
+  last.motion_fraction = value.at("motion_fraction").finite_number();
   return last;
 }
 
@@ -51,21 +52,42 @@ json quiet_json(const std::deque<RestDetector::Sample>& quiet) {
   return list;
 }
 
-Checkpoint checkpoint_from(const json& value, std::shared_ptr<const Catalogue> catalogue) {
-  const std::string mesh_file = value.at("mesh_file");
-  Scene scene = mesh_file.empty() ? built_in_scene(value.at("scene").get<std::string>(), std::move(catalogue))
+// Two numbers an entry.
+template <class Take>
+void take_pairs(const CheckedJson& list, Take&& take) {
+  for (const CheckedJson& entry : list.entries()) {
+    const std::vector<CheckedJson> parts = entry.entries(2);
+    take(parts[0], parts[1].finite_number());
+  }
+}
+
+Scene scene_from(const CheckedJson& value, std::shared_ptr<const Catalogue> catalogue) {
+  const std::string& mesh_file = value.at("mesh_file").text();
+  Scene scene = mesh_file.empty() ? built_in_scene(value.at("scene").text(), std::move(catalogue))
                                   : mesh_scene(mesh_file, std::move(catalogue));
-  base::options_from_json(value.at("options"), scene.options);
-  Checkpoint checkpoint{.scene = std::move(scene),
-                        .state = simulation_state_from_json(value.at("state")),
-                        .resolution = value.at("resolution"),
-                        .start = {{}, vector_from(value.at("start_centroid"))},
-                        .last = last_from(value.at("last")),
-                        .quiet = {}};
-  for (const json& entry : value.at("start_volumes"))
-    checkpoint.start.volumes.push_back({Region(entry.at(0).get<std::uint32_t>()), entry.at(1)});
-  for (const json& entry : value.at("quiet")) checkpoint.quiet.push_back({entry.at(0), entry.at(1)});
-  return checkpoint;
+  base::option_state_from_json(value.at("options").json(), scene.options);
+  return scene;
+}
+
+void require_fitting(const Checkpoint& checkpoint, const SurfaceMesh& mesh) {
+  const base::OptionSet& options = checkpoint.scene.options;
+  if (mesh.triangle_count() == 0) throw base::InputError("its surface has no triangles");
+  const auto refuse = [](const char* what, double value, const std::string& why) {
+    throw base::InputError(std::string("its ") + what + ", " + base::to_text(value) + ", is not " + why);
+  };
+  const double dt = options.number("dt"), resolution = options.number("resolution");
+  if (dt > 0 && checkpoint.state.dt != dt) refuse("step", checkpoint.state.dt, "the dt of its options");
+  if (resolution > 0 && checkpoint.resolution != resolution)
+    refuse("resolution", checkpoint.resolution, "that of its options");
+  lostopos::run::require_proportion(mesh, checkpoint.resolution, options.flag("remeshing.enabled"));
+}
+
+void require_circulation_of(const Simulation& simulation) {
+  const SurfaceMesh& mesh = simulation.mesh();
+  for (lostopos::Vertex v : mesh.vertices())
+    if (!matches(simulation.circulation().at(v), mesh, v))
+      throw base::InputError("vertex " + std::to_string(v.index()) +
+                             " has the circulation of other films than those that meet there");
 }
 
 }  // namespace
@@ -74,7 +96,7 @@ json checkpoint_content(const Scene& scene, const Simulation& simulation, const 
                         const StepReport& last, const std::deque<RestDetector::Sample>& quiet) {
   return {{"scene", scene.name},
           {"mesh_file", scene.mesh_file},
-          {"options", base::options_to_json(scene.options)},
+          {"options", base::option_state_to_json(scene.options)},
           {"resolution", simulation.resolution()},
           {"start_volumes", volumes_json(start.volumes)},
           {"start_centroid", {start.centroid.x(), start.centroid.y(), start.centroid.z()}},
@@ -83,20 +105,30 @@ json checkpoint_content(const Scene& scene, const Simulation& simulation, const 
           {"state", to_json(simulation.state())}};
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& file, std::shared_ptr<const Catalogue> catalogue) {
-  std::optional<Checkpoint> checkpoint;
-  lostopos::run::read_checkpoint(file, checkpoint_format(),
-                                 [&](const json& content) { checkpoint = checkpoint_from(content, catalogue); });
-  return std::move(*checkpoint);
+Checkpoint checkpoint_from(const json& content, std::shared_ptr<const Catalogue> catalogue) {
+  const CheckedJson value(content, "");
+  Checkpoint checkpoint{.scene = scene_from(value, std::move(catalogue)),
+                        .state = simulation_state_from_json(value.at("state").json()),
+                        .resolution = value.at("resolution").positive_number(),
+                        .start = {{}, vector_from(value.at("start_centroid"))},
+                        .last = last_from(value.at("last")),
+                        .quiet = {}};
+  take_pairs(value.at("start_volumes"), [&](const CheckedJson& region, double volume) {
+    checkpoint.start.volumes.push_back({Region(region.index()), volume});
+  });
+  take_pairs(value.at("quiet"), [&](const CheckedJson& time, double angle) {
+    checkpoint.quiet.push_back({time.finite_number(), angle});
+  });
+  return checkpoint;
 }
 
-Simulation resume(const Checkpoint& checkpoint, const base::Interruption& interruption) try {
-  Simulation simulation = make_simulation(checkpoint.scene, SurfaceMesh::from_state(checkpoint.state.tracker),
-                                          checkpoint.resolution, {}, interruption);
+Simulation resume(const Checkpoint& checkpoint, const base::Interruption& interruption) {
+  SurfaceMesh mesh = SurfaceMesh::from_state(checkpoint.state.tracker);
+  require_fitting(checkpoint, mesh);
+  Simulation simulation = make_simulation(checkpoint.scene, std::move(mesh), checkpoint.resolution, {}, interruption);
   simulation.restore(checkpoint.state);
+  require_circulation_of(simulation);
   return simulation;
-} catch (const lostopos::MeshError& problem) {
-  throw base::InputError(std::string("it is not a whole checkpoint: ") + problem.what());
 }
 
 }  // namespace foamsim

@@ -26,19 +26,20 @@ struct Checkpoint {
 };
 
 inline lostopos::run::CheckpointFormat checkpoint_format() {
-  return {"foamsim", 4};
+  return {"foamsim", 5};
 }
 
 /// What a checkpoint holds of a run; `last`: of the step before it.
 nlohmann::json checkpoint_content(const Scene& scene, const Simulation& simulation, const StartOfRun& start,
                                   const StepReport& last, const std::deque<RestDetector::Sample>& quiet);
 
-/// Throws base::InputError, naming the file, for anything that is not a whole checkpoint of a known version.
-/// `catalogue`: what its names mean.
-Checkpoint read_checkpoint(const std::filesystem::path& file,
-                           std::shared_ptr<const Catalogue> catalogue = built_in_catalogue());
+/// What `content` holds of a run; `catalogue`: what its names mean. Throws base::Error for anything but what
+/// checkpoint_content gives: options are checked as if they were given, the surface as SurfaceMesh::from_state does.
+Checkpoint checkpoint_from(const nlohmann::json& content, std::shared_ptr<const Catalogue> catalogue);
 
-/// The simulation that goes on from the checkpoint. Throws base::InputError when its parts do not fit.
+/// The simulation that goes on from the checkpoint. Throws base::Error when its parts do not fit each other: options
+/// that do not go together, attributes that are not those of the models or of the surface, a step or a resolution that
+/// is not that of the options or out of all proportion to the surface.
 Simulation resume(const Checkpoint& checkpoint, const base::Interruption& interruption = {});
 
 }  // namespace foamsim

@@ -120,11 +120,12 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
     return true;
   };
   const base::Interruption within{hooks.interrupted_within};
-  SceneMotion motion(resuming ? SceneMotion::beginning_of(read_checkpoint(checkpoint, scene.catalogue), within)
+  SceneMotion motion(resuming ? SceneMotion::beginning_of(checkpoint, scene.catalogue, within)
                               : SceneMotion::beginning_of(scene, relaxing, within));
-  if (!resuming)
-    for (const std::string& note : check_start(scene, motion.simulation(), motion.start()))
-      if (hooks.warn) hooks.warn(note);
+  const std::vector<std::string> notes =
+      resuming ? check_surface(motion.simulation()) : check_start(scene, motion.simulation(), motion.start());
+  for (const std::string& note : notes)
+    if (hooks.warn) hooks.warn(note);
   Plan plan{.last_step = last_step(settings.stop, motion)};
   if (settings.stop.until_rest) plan.at_rest = [&motion] { return motion.at_rest(); };
   const lostopos::run::Output output =

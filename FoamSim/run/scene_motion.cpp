@@ -27,6 +27,16 @@ SceneMotion::Beginning SceneMotion::beginning_of(Checkpoint checkpoint, const ba
           std::move(checkpoint.quiet)};
 }
 
+SceneMotion::Beginning SceneMotion::beginning_of(const std::filesystem::path& checkpoint,
+                                                 const std::shared_ptr<const Catalogue>& catalogue,
+                                                 const base::Interruption& interruption) {
+  std::optional<Beginning> beginning;
+  lostopos::run::read_checkpoint(checkpoint, checkpoint_format(), [&](const nlohmann::json& content) {
+    beginning.emplace(beginning_of(checkpoint_from(content, catalogue), interruption));
+  });
+  return std::move(*beginning);
+}
+
 SceneMotion::SceneMotion(Beginning beginning)
     : SimulationMotion(std::move(beginning.simulation), beginning.start.volumes, beginning.before),
       scene_(std::move(beginning.scene)),

@@ -19,6 +19,11 @@ class SceneMotion final : public SimulationMotion {
   static Beginning beginning_of(const Scene& scene, const RelaxationProgress& progress = {},
                                 const base::Interruption& interruption = {});
   static Beginning beginning_of(Checkpoint checkpoint, const base::Interruption& interruption = {});
+  /// From a checkpoint's file. Throws base::FileError when it cannot be read, and base::InputError, naming it, for
+  /// anything that is not a whole checkpoint of this version. `catalogue`: what its names mean.
+  static Beginning beginning_of(const std::filesystem::path& checkpoint,
+                                const std::shared_ptr<const Catalogue>& catalogue,
+                                const base::Interruption& interruption = {});
 
   explicit SceneMotion(Beginning beginning);
 

@@ -22,15 +22,6 @@ std::string text_of(const lostopos::AuditReport& report) {
   return text + (report.truncated ? "; and more ('foamsim inspect' lists them)" : "");
 }
 
-// Free edges are where films end at a frame: no defect here.
-void audit_surface(const Simulation& simulation, std::vector<std::string>& notes) {
-  using lostopos::Defect;
-  const auto report = lostopos::audit(simulation.mesh(), {.closed_regions = false, .max_findings = most_findings});
-  for (Defect defect : {Defect::broken_incidence, Defect::bad_labels, Defect::not_finite})
-    if (report.has(defect)) throw base::InputError("the surface cannot be simulated: " + text_of(report));
-  if (!report.clean()) notes.push_back("the surface is not clean: " + text_of(report));
-}
-
 void look_for_open_edges(const Scene& scene, const Simulation& simulation, std::vector<std::string>& notes) {
   if (start_file(scene).empty()) return;
   const std::size_t open = lostopos::open_edge_count(simulation.mesh());
@@ -69,12 +60,22 @@ void require_carried(const Scene& scene, const Simulation& simulation, const Sta
 
 }  // namespace
 
+// Free edges are where films end at a frame: no defect here.
+std::vector<std::string> check_surface(const Simulation& simulation) {
+  using lostopos::Defect;
+  const auto report = lostopos::audit(simulation.mesh(), {.closed_regions = false, .max_findings = most_findings});
+  for (Defect defect : {Defect::broken_incidence, Defect::bad_labels, Defect::not_finite})
+    if (report.has(defect)) throw base::InputError("the surface cannot be simulated: " + text_of(report));
+  if (report.clean()) return {};
+  return {"the surface is not clean: " + text_of(report)};
+}
+
 std::vector<std::string> check_start(const Scene& scene, const Simulation& simulation, const StartOfRun& start) {
   std::vector<std::string> notes;
   if (scene.mesh_file.empty())
     if (const auto& of_scene = scene.catalogue->scenes.find(scene.name).notes) notes = of_scene(scene.options);
   look_at_file(scene, notes);
-  audit_surface(simulation, notes);
+  for (std::string& note : check_surface(simulation)) notes.push_back(std::move(note));
   look_for_open_edges(scene, simulation, notes);
   require_carried(scene, simulation, start, notes);
   return notes;

@@ -7,6 +7,10 @@
 
 namespace foamsim {
 
+/// What an audit finds on the surface that a user should know. Throws base::InputError for a surface that cannot be
+/// simulated.
+std::vector<std::string> check_surface(const Simulation& simulation);
+
 /// Looks at what a run starts from, and returns what its user should know: what the scene says of it, what an audit of
 /// the surface finds, open edges that a mesh file does not say are held, and a resolution that bubbles cannot carry.
 /// Throws base::InputError for a surface that cannot be simulated, and for a resolution above the radius of the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/container/flat_map.hpp>
+#include <cmath>
 #include <optional>
 
 namespace foamsim {
@@ -56,6 +57,18 @@ double value_of_new_pair(std::span<const VertexCirculation> values, const Surfac
 }
 
 }  // namespace
+
+bool is_sound(const VertexCirculation& values) {
+  const auto is_none = [](const PairCirculation& entry) {
+    return entry.pair.low == entry.pair.high || !entry.pair.high.valid() || !std::isfinite(entry.value);
+  };
+  return std::ranges::none_of(values, is_none) &&
+         std::ranges::adjacent_find(values, std::ranges::greater_equal(), &PairCirculation::pair) == values.end();
+}
+
+bool matches(std::span<const PairCirculation> values, const SurfaceMesh& mesh, Vertex v) {
+  return std::ranges::equal(pairs_meeting_at(mesh, v), values, {}, {}, &PairCirculation::pair);
+}
 
 VertexCirculation interpolate(const VertexCirculation& a, const VertexCirculation& b, double t) {
   VertexCirculation mixed = a;
@@ -135,9 +148,11 @@ void AttributeCodec<foamsim::VertexCirculation>::encode(std::span<const foamsim:
 
 std::optional<std::vector<foamsim::VertexCirculation>> AttributeCodec<foamsim::VertexCirculation>::decode(
     std::span<const std::uint8_t> bytes) {
-  return CirculationCodec::decode(bytes, [](const StoredPair& stored) {
+  auto values = CirculationCodec::decode(bytes, [](const StoredPair& stored) {
     return foamsim::PairCirculation{foamsim::RegionPair(Region(stored.low), Region(stored.high)), stored.value};
   });
+  if (!values || !std::ranges::all_of(*values, [](const auto& own) { return foamsim::is_sound(own); })) return {};
+  return values;
 }
 
 }  // namespace lostopos

@@ -24,6 +24,11 @@ auto lower_bound(Values& values, RegionPair pair) {
   return std::ranges::lower_bound(values, pair, {}, &PairCirculation::pair);
 }
 
+/// Whether it is what a vertex can hold: pairs of two regions in ascending order, each once, with finite values.
+bool is_sound(const VertexCirculation& values);
+/// Whether `values`, sorted, are of exactly the pairs that have a triangle at v.
+bool matches(std::span<const PairCirculation> values, const lostopos::SurfaceMesh& mesh, lostopos::Vertex v);
+
 /// For each pair (1 − t) a + t b, or the value of the one that holds it.
 VertexCirculation interpolate(const VertexCirculation& a, const VertexCirculation& b, double t);
 

@@ -1,12 +1,16 @@
 #include "LosTopos/run/checkpoint.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "Base/error.h"
+#include "Base/interruption.h"
 #include "Base/io/atomic_file.h"
+#include "LosTopos/run/cbor_form.h"
+#include "LosTopos/run/sealed_bytes.h"
 
 namespace lostopos::run {
 
@@ -15,10 +19,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34;
-
-std::string format_text(const CheckpointFormat& format) {
-  return format.program + " checkpoint";
-}
+constexpr std::string_view kind = " checkpoint";
 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
   std::error_code error;
@@ -32,34 +33,73 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
   if (size > most_bytes) throw base::InputError(file.string() + " is too large to be a checkpoint");
   std::vector<std::uint8_t> bytes(size);
   in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (in.gcount() != static_cast<std::streamsize>(size))
+    throw base::FileError("cannot read the checkpoint " + file.string() + " to its end");
   return bytes;
+}
+
+// "foamsim checkpoint of version 4"; empty for what is none.
+std::string described(const json& content) {
+  if (!content.is_object() || !content.contains("format") || !content["format"].is_string()) return {};
+  const std::string format = content["format"];
+  if (!format.ends_with(kind) || !content.contains("version") || !content["version"].is_number_integer()) return {};
+  return format + " of version " + content["version"].dump();
+}
+
+json parsed(std::span<const std::uint8_t> bytes) {
+  return is_plain_cbor(bytes) ? json::from_cbor(bytes.begin(), bytes.end()) : json();
+}
+
+// Before they had a head, checkpoints were their content alone.
+json content_of(std::span<const std::uint8_t> bytes) {
+  if (begin_sealed(bytes)) return parsed(unsealed(bytes));
+  if (const std::string old = described(parsed(bytes)); !old.empty())
+    throw base::InputError("it is a " + old +
+                           ", from before they had checksums; this program writes and reads later ones");
+  return parsed(unsealed(bytes));
+}
+
+std::string in_one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  return text;
 }
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const json& content) {
+std::vector<std::uint8_t> checkpoint_bytes(const CheckpointFormat& format, const json& content) {
   json value = content;
-  value["format"] = format_text(format);
+  value["format"] = format.program + std::string(kind);
   value["version"] = format.version;
-  const std::vector<std::uint8_t> bytes = json::to_cbor(value);
+  return sealed(json::to_cbor(value));
+}
+
+void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const json& content) {
+  const std::vector<std::uint8_t> bytes = checkpoint_bytes(format, content);
   base::AtomicFile out(file, base::Durability::machine);
   out.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   out.commit();
 }
 
-void read_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format,
-                     const std::function<void(const json& content)>& take) {
-  const std::vector<std::uint8_t> bytes = read_bytes(file);
+void take_checkpoint(std::span<const std::uint8_t> bytes, const std::string& name, const CheckpointFormat& format,
+                     const TakeCheckpoint& take) {
   try {
-    const json value = json::from_cbor(bytes);
-    if (value.at("format") != format_text(format) || value.at("version") != format.version)
-      throw base::InputError("it is not a " + format_text(format) + " of version " + std::to_string(format.version));
-    take(value);
-  } catch (const json::exception& problem) {
-    throw base::InputError(file.string() + " is not a whole checkpoint: " + problem.what());
-  } catch (const base::Error& problem) {
-    throw base::InputError(file.string() + " is not a whole checkpoint: " + problem.what());
+    const json content = content_of(bytes);
+    const std::string asked = format.program + std::string(kind) + " of version " + std::to_string(format.version);
+    if (const std::string what = described(content); what != asked)
+      throw base::InputError("it is " + (what.empty() ? "none" : "a " + what) + ", where a " + asked + " belongs");
+    take(content);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const base::Interrupted&) {
+    throw;
+  } catch (const std::exception& problem) {
+    throw base::InputError(in_one_line(name + " is not a whole checkpoint: " + problem.what()));
   }
+}
+
+void read_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const TakeCheckpoint& take) {
+  take_checkpoint(read_bytes(file), file.string(), format, take);
 }
 
 }  // namespace lostopos::run

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace lostopos::run {
 
@@ -13,14 +15,21 @@ struct CheckpointFormat {
   int version = 1;
 };
 
-/// Writes `content` with its format to `file` (CBOR), atomically; it is on the disk then. Throws
-/// base::FileError, base::DiskError.
+/// What takes the content of a checkpoint.
+using TakeCheckpoint = std::function<void(const nlohmann::json& content)>;
+
+/// The bytes of a checkpoint's file: `content`, an object, with its format as CBOR, behind a head with a checksum (see
+/// sealed_bytes.h).
+std::vector<std::uint8_t> checkpoint_bytes(const CheckpointFormat& format, const nlohmann::json& content);
+/// Writes them to `file`, atomically; they are on the disk then. Throws base::FileError, base::DiskError.
 void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const nlohmann::json& content);
 
-/// The content of a checkpoint, handed to `take`. Throws base::FileError when the file cannot be read, and
-/// base::InputError, naming the file, when it is not a whole checkpoint of this format or `take` throws a base::Error
-/// or a JSON exception.
-void read_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format,
-                     const std::function<void(const nlohmann::json& content)>& take);
+/// Hands the content of a checkpoint to `take`, which builds from it all that can only be built from content that is
+/// sound. Throws base::InputError, one line that begins with `name`, when `bytes` are not a whole checkpoint of this
+/// format, and for every exception that `take` throws but std::bad_alloc and base::Interrupted.
+void take_checkpoint(std::span<const std::uint8_t> bytes, const std::string& name, const CheckpointFormat& format,
+                     const TakeCheckpoint& take);
+/// The same of a file. Throws base::FileError when it cannot be read.
+void read_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const TakeCheckpoint& take);
 
 }  // namespace lostopos::run

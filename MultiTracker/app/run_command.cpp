@@ -78,10 +78,10 @@ Origin origin_of(const Arguments& arguments, const Program& program) {
   return origin;
 }
 
-Checkpoint checkpoint_of(const Arguments& arguments) {
+std::unique_ptr<Tracking> resumed(const Arguments& arguments, const base::Interruption& interruption) {
   if (!arguments.scene.empty() || !arguments.mesh.empty() || !arguments.assignments.empty() || arguments.seed)
     throw base::InputError("--resume goes on with the scene of the checkpoint; leave out the scene and its options");
-  return read_checkpoint(arguments.resume);
+  return Tracking::resumed(arguments.resume, interruption);
 }
 
 RunSettings settings_of(const Arguments& arguments, const Program& program) {
@@ -121,7 +121,7 @@ int run_scene(const Arguments& arguments, const Program& program) {
   const base::ThreadLimit limit(arguments.threads);
   const bool resuming = !arguments.resume.empty();
   const base::Interruption interruption{[] { return base::InterruptGuard::interrupted(); }};
-  const auto tracking = resuming ? std::make_unique<Tracking>(checkpoint_of(arguments), interruption)
+  const auto tracking = resuming ? resumed(arguments, interruption)
                                  : std::make_unique<Tracking>(origin_of(arguments, program), interruption);
   const RunSettings settings = settings_of(arguments, program);
   const long last_step = arguments.steps.value_or(tracking->origin().options.whole("steps"));

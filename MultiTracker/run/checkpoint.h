@@ -29,13 +29,13 @@ struct Checkpoint {
 };
 
 inline lostopos::run::CheckpointFormat checkpoint_format() {
-  return {"multitracker", 1};
+  return {"multitracker", 2};
 }
 
 nlohmann::json checkpoint_content(const Checkpoint& checkpoint);
 
-/// `file`: a checkpoint, or the folder of a run. Throws base::FileError when it cannot be read, and base::InputError,
-/// naming the file, for anything that is not a whole checkpoint of a known version.
-Checkpoint read_checkpoint(const std::filesystem::path& file);
+/// Throws base::Error for anything but what checkpoint_content gives: options are checked as if they were given, the
+/// surfaces as SurfaceMesh::from_state does.
+Checkpoint checkpoint_from(const nlohmann::json& content);
 
 }  // namespace multitracker

@@ -4,6 +4,7 @@
 
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/run/events_csv.h"
+#include "LosTopos/run/proportion.h"
 #include "MultiTracker/run/metrics_csv.h"
 
 namespace multitracker {
@@ -48,11 +49,21 @@ Tracking::Tracking(Origin&& origin, SurfaceMesh surface, const base::Interruptio
 Tracking::Tracking(Checkpoint checkpoint, const base::Interruption& interruption)
     : Tracking(std::move(checkpoint.origin), interruption) {
   tracker_.restore(checkpoint.surface);
+  lostopos::run::require_proportion(mesh(), tracker_.options().resolution, tracker_.options().remeshing);
   start_volumes_ = std::move(checkpoint.start_volumes);
   start_ = checkpoint.start;
   metrics_ = measure(mesh(), {}, start_volumes_);
   metrics_.step = checkpoint.step;
   metrics_.time = drive_.dt.time_of(checkpoint.step);
+}
+
+std::unique_ptr<Tracking> Tracking::resumed(const std::filesystem::path& file, const base::Interruption& interruption) {
+  std::unique_ptr<Tracking> tracking;
+  lostopos::run::read_checkpoint(std::filesystem::is_directory(file) ? file / "checkpoint.cbor" : file,
+                                 checkpoint_format(), [&](const nlohmann::json& content) {
+                                   tracking = std::make_unique<Tracking>(checkpoint_from(content), interruption);
+                                 });
+  return tracking;
 }
 
 void Tracking::step() {

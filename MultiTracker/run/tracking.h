@@ -14,8 +14,12 @@ class Tracking final : public lostopos::run::Motion {
   /// Starts on the given surface, or on the scene's own. Throws base::InputError for options out of range, or a surface
   /// beyond the option memory_limit. `interruption`: see TrackerOptions.
   explicit Tracking(Origin origin, const base::Interruption& interruption = {});
-  /// Goes on from a checkpoint.
+  /// Goes on from a checkpoint. Throws base::Error where its parts do not fit.
   explicit Tracking(Checkpoint checkpoint, const base::Interruption& interruption = {});
+  /// From a checkpoint's file, or that of a run's folder. Throws base::FileError when it cannot be read, and
+  /// base::InputError, naming it, for anything that is not a whole checkpoint of this version.
+  static std::unique_ptr<Tracking> resumed(const std::filesystem::path& file,
+                                           const base::Interruption& interruption = {});
 
   /// Throws what SurfaceTracker::step throws; the whole state is then the one before the step.
   void step() override;

@@ -191,12 +191,48 @@ TEST(OptionSetTest, WordsMayStandForNumbers) {
   const nlohmann::json written = base::options_to_json(options);
   EXPECT_EQ(written.at("dt"), "auto");
   base::OptionSet read({spec});
-  base::options_from_json(written, read);
+  base::option_state_from_json(base::option_state_to_json(options), read);
   EXPECT_EQ(read.number("dt"), 0);
+  EXPECT_TRUE(read.is_set("dt"));
   options.set("dt", std::string("auto"), "scene.toml:1");
   EXPECT_EQ(options.number("dt"), 0);
   expect_parts(message_of([&] { options.set_text("dt", "0", "--set"); }), {"--set", "dt = ", "> 0", "or auto"});
   expect_parts(message_of([&] { options.set_text("dt", "fast", "--set"); }), {"'fast' is not a number", "'auto'"});
+}
+
+TEST(OptionState, KeepsValuesAndWhatWasSet) {
+  base::OptionSet options({base::positive_number("dt", 0.01, "step, T"), base::whole_number("n", 3, 1, "size")});
+  options.set("n", 3L, "--set");
+  options.set_default("dt", 0.5);
+  base::OptionSet read(options.specs());
+  base::option_state_from_json(base::option_state_to_json(options), read);
+  EXPECT_EQ(read.number("dt"), 0.5);
+  EXPECT_EQ(read.whole("n"), 3);
+  EXPECT_FALSE(read.is_set("dt"));
+  EXPECT_TRUE(read.is_set("n")) << "though at its default value";
+}
+
+TEST(OptionState, IsCheckedAsIfItWereGiven) {
+  const base::OptionSet options(
+      {base::non_negative_number("damping", 0, "rate, 1/T"), base::whole_number("n", 3, 1, "size")});
+  const auto refused = [&](const nlohmann::json& state) {
+    base::OptionSet read = options;
+    return message_of([&] { base::option_state_from_json(state, read); });
+  };
+  const auto of = [](const char* key, const nlohmann::json& value, const char* set = "n") {
+    nlohmann::json state = {{"values", {{"damping", 0.5}, {"n", 4}}}, {"set", {set}}};
+    state["values"][key] = value;
+    return state;
+  };
+  expect_parts(refused(of("damping", std::nan(""))), {"damping = nan", ">= 0"});
+  expect_parts(refused(of("damping", -1.0)), {"damping = -1", ">= 0"});
+  expect_parts(refused(of("n", 0)), {"n = 0", ">= 1"});
+  expect_parts(refused(of("n", nlohmann::json::object())), {"n is not a list"});
+  expect_parts(refused(of("n", 4.5)), {"n: '4.5' is not a whole number"});
+  expect_parts(refused(of("dampign", 1.0)), {"dampign", "damping"});
+  expect_parts(refused(of("n", 4, "m")), {"options.values has no 'm'"});
+  expect_parts(refused(nlohmann::json(3)), {"options has no 'values'"});
+  EXPECT_EQ(refused(of("n", 5)), "no InputError");
 }
 
 }  // namespace

@@ -139,6 +139,25 @@ TEST(BadFiles, ACutCheckpointIsRefused) {
   EXPECT_FALSE(fs::exists(scratch.path() / "more"));
 }
 
+TEST(BadFiles, AnAlteredCheckpointIsRefusedByItsName) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "run")).exit_code, 0);
+  const std::string whole = read_file(scratch / "run/checkpoint.cbor");
+  const std::string resume = "run --resume " + (scratch / "x.cbor") + " --out " + (scratch / "more");
+  for (std::size_t place : {std::size_t{3}, std::size_t{12}, whole.size() / 2, whole.size() - 1}) {
+    std::string altered = whole;
+    altered[place] = static_cast<char>(altered[place] ^ 4);
+    std::ofstream(scratch / "x.cbor", std::ios::binary) << altered;
+    expect_refused(run_foamsim(resume), "x.cbor is not a whole checkpoint: it ");
+  }
+  // As it was written once: without a head.
+  std::ofstream(scratch / "x.cbor", std::ios::binary) << "\xa2"
+                                                         "fformatrfoamsim checkpoint"
+                                                         "gversion\x04";
+  expect_refused(run_foamsim(resume), "it is a foamsim checkpoint of version 4");
+  EXPECT_FALSE(fs::exists(scratch.path() / "more"));
+}
+
 TEST(BadFiles, TheFolderOfARunIsNoSceneAndTheMessageSaysHowToGoOn) {
   const ScratchFolder scratch;
   ASSERT_EQ(run_foamsim("run sphere --set n=1 --steps 2 --out " + (scratch / "run")).exit_code, 0);

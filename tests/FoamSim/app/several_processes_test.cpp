@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "FoamSim/run/checkpoint.h"
 #include "program.h"
 
 namespace foamsim::test {
@@ -66,8 +67,8 @@ TEST_F(SeveralProcesses, EndTogetherAndLoseNothing) {
                               "/checkpoint.cbor ] && break; sleep 0.05; done; pkill -KILL -n -f " + folder + "' & ";
   const ProgramResult result = run_foamsim(run + " --steps 100000" + out("run"), end_one + launcher(2));
   EXPECT_NE(result.exit_code, 0);
-  const auto checkpoint = nlohmann::json::from_cbor(read_file(folder + "/checkpoint.cbor"));
-  EXPECT_FALSE(checkpoint.empty());
+  EXPECT_NO_THROW(lostopos::run::read_checkpoint(folder + "/checkpoint.cbor", checkpoint_format(),
+                                                 [](const nlohmann::json& content) { EXPECT_FALSE(content.empty()); }));
   const ProgramResult resumed = run_foamsim("run --resume " + folder + "/checkpoint.cbor --steps 100000" + out("on"),
                                             "timeout --foreground --preserve-status -s INT 1");
   EXPECT_EQ(resumed.exit_code, 130) << resumed.error;

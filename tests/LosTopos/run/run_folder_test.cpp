@@ -239,23 +239,5 @@ TEST(Checkpoint, ThatARunDidNotComeToIsMissedWithTheWayOn) {
   }
 }
 
-TEST(Checkpoint, OfAnotherProgramVersionOrCutOffIsRefusedByName) {
-  const ScratchFolder scratch;
-  const fs::path file = scratch.path() / "checkpoint.cbor";
-  write_checkpoint(file, {"fake", 2}, {{"steps", 1}});
-  EXPECT_THROW(FakeMotion::resumed(file), base::InputError);
-  write_checkpoint(file, {"other", 1}, {{"steps", 1}});
-  EXPECT_THROW(FakeMotion::resumed(file), base::InputError);
-  write_checkpoint(file, {"fake", 1}, {{"stops", 1}});
-  EXPECT_THROW(FakeMotion::resumed(file), base::InputError);
-  std::ofstream(file) << "no checkpoint";
-  try {
-    FakeMotion::resumed(file);
-    FAIL();
-  } catch (const base::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos);
-  }
-}
-
 }  // namespace
 }  // namespace lostopos::run

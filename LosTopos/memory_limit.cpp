@@ -1,5 +1,6 @@
 #include "LosTopos/memory_limit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -33,7 +34,7 @@ double triangles_on(double area, double edge) {
 }
 
 std::size_t triangles_within(double limit, double bytes_each) {
-  const double most = limit / bytes_each;
+  const double most = std::max(1.0, (limit - bytes_of_program) / bytes_each);
   constexpr auto none = std::numeric_limits<std::size_t>::max();
   return most < static_cast<double>(none) ? static_cast<std::size_t>(most) : none;
 }

@@ -21,7 +21,10 @@ double memory_limit(const base::OptionSet& options);
 /// Triangles of edges `edge` (L) that cover `area` (L²): equilateral ones.
 double triangles_on(double area, double edge);
 
-/// Triangles of so many bytes each that the limit has room for.
+/// Memory of a program before it has a surface.
+inline constexpr double bytes_of_program = 20e6;
+
+/// Triangles of so many bytes each that the limit has room for besides the program; at least one.
 std::size_t triangles_within(double limit, double bytes_each);
 
 /// Throws base::InputError, with the figures, where the estimate is more than `limit` bytes.

@@ -8,10 +8,8 @@
 namespace foamsim {
 namespace {
 
-constexpr double program = 20e6;
-
 lostopos::SizeEstimate size_of(const base::OptionSet& options, double triangles) {
-  return {triangles, program + bytes_of_triangle(options) * triangles};
+  return {triangles, lostopos::bytes_of_program + bytes_of_triangle(options) * triangles};
 }
 
 }  // namespace

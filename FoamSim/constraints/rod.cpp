@@ -69,7 +69,10 @@ void Rod::make_chain(std::vector<double> lengths, std::vector<char> fixed) {
 std::vector<Vertex> Rod::chain(const SurfaceMesh& mesh) const {
   std::vector<Vertex> vertices(fixed_.size());
   for (Vertex v : mesh.vertices())
-    if (const std::int32_t place = (*places_)[v]; place > 0) vertices[static_cast<std::size_t>(place) - 1] = v;
+    if (const std::int32_t place = (*places_)[v]; place > 0 && static_cast<std::size_t>(place) <= vertices.size())
+      vertices[static_cast<std::size_t>(place) - 1] = v;
+  if (std::ranges::find(vertices, Vertex()) != vertices.end())
+    throw base::InputError("the rod's vertices are not a chain: a place has none");
   return vertices;
 }
 
@@ -144,7 +147,8 @@ void Rod::prescribe(const Stage& stage, std::span<Vec3> positions) {
 }
 
 nlohmann::json Rod::state() const {
-  if (!rod_) return nullptr;
+  // Of one that is on its way and has to be put back: something, so that it cannot be left out.
+  if (!rod_) return nlohmann::json::object();
   return {{"lengths", rod_->lengths()}, {"fixed", std::vector<int>(fixed_.begin(), fixed_.end())}};
 }
 

@@ -169,6 +169,12 @@ TEST(CheckpointState, HasAttributesThatFitTheSurfaceAndTheModels) {
                  [](nlohmann::json& c) { put<std::int32_t>(attribute(c, "rod"), 0, -5); });
   expect_refusal(rod, "the state of constraint 'rod'.lengths is not a list of",
                  [](nlohmann::json& c) { c["state"]["models"]["constraints"]["rod"]["lengths"].push_back(1.0); });
+  expect_refusal(rod, "the state of constraint 'rod' has no 'fixed'",
+                 [](nlohmann::json& c) { c["state"]["models"]["constraints"].erase("rod"); });
+  expect_refusal(rod, "the rod's vertices are not a chain", [](nlohmann::json& c) {
+    auto& bytes = attribute(c, "rod");
+    for (std::size_t i = 0; i < bytes.get_binary().size() / 4; ++i) put<std::int32_t>(bytes, i, i == 0 ? 2 : 0);
+  });
 }
 
 // What carries it through remeshing wrote behind its arrays once.

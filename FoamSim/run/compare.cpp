@@ -72,9 +72,10 @@ std::vector<ComparedRun> compare_areas(const Scene& scene, const std::vector<std
                                        const std::function<RunHooks(const std::string& area)>& hooks_for) {
   // All scenes first: a misspelt strategy is an error before anything is written.
   std::vector<Scene> scenes;
+  for (const std::string& area : areas) require_method(*scene.catalogue, area);
+  validate(scene, also_used_by(areas));
   for (const std::string& area : areas) {
     scenes.push_back(scene);
-    require_method(*scene.catalogue, area);
     choose_method(scenes.back().options, area, "--areas");
     validate(scenes.back(), also_used_by(areas));
   }

@@ -18,6 +18,8 @@ void choose_method(base::OptionSet& options, const std::string& method, const st
   if (method != conservative_method) {
     options.set("dynamics", std::string("vortex-sheet"), where);
     options.set("area", method, where);
+    for (const base::OptionSpec& spec : std::vector(options.specs()))
+      if (spec.owner.kind == "area strategy" && spec.owner.name != method) options.unset(spec.key);
     return;
   }
   options.set("dynamics", std::string("conservative"), where);

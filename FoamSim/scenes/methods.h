@@ -17,7 +17,8 @@ std::vector<std::string> method_names(const Catalogue& catalogue);
 void require_method(const Catalogue& catalogue, const std::string& method);
 
 /// Sets the options of a scene so that it is run with the method. The conservative one takes `volumes`, and a
-/// viscosity of 0.1 in place of `diffusion`, which belongs to the vortex sheet. `where`: who asks, for messages.
+/// viscosity of 0.1 in place of `diffusion`, which belongs to the vortex sheet. What was set of other methods is unset.
+/// `where`: who asks, for messages.
 void choose_method(base::OptionSet& options, const std::string& method, const std::string& where);
 
 /// What a scene may have options of although its own method does not use it, when several methods are compared.

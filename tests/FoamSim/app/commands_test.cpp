@@ -106,6 +106,19 @@ TEST(CompareCommand, MakesATableAndARunEach) {
   EXPECT_NE(shown.out.find("of films"), std::string::npos);
 }
 
+TEST(CompareCommand, TakesAnOptionOfOneStrategyForItsRow) {
+  const ScratchFolder scratch;
+  const ProgramResult result = run_foamsim(
+      "compare doublebubble --areas averaged,constant-edge --set n=8 --set phi=0.75 --steps 1 --no-pictures --out " +
+      (scratch / "c"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const auto phi = [&scratch](const std::string& area) {
+    return nlohmann::json::parse(read_file(scratch / "c" + ("/" + area) + "/run.json"))["options"]["phi"].get<double>();
+  };
+  EXPECT_EQ(phi("constant-edge"), 0.75);
+  EXPECT_EQ(phi("averaged"), 0.5);
+}
+
 TEST(ReproduceCommand, DrawsTheStretchedJunctionAndMeasuresTheMeasures) {
   const ScratchFolder scratch;
   for (const std::string what : {"figure3", "measures"}) {

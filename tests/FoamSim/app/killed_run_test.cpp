@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include "Base/timing/stopwatch.h"
 #include "program.h"
 #include "tables.h"
 
@@ -41,17 +42,20 @@ void expect_same_files(const fs::path& one, const fs::path& other) {
 TEST(KilledRun, GoesOnToTheSameBitsAndLeavesNothingBehind) {
   constexpr int most_kills = 12;
   std::mt19937 random(15);
-  std::uniform_real_distribution<double> seconds(0.05, 0.9);
+  std::uniform_real_distribution<double> share(0.1, 0.7);  // of the whole run's time
   const std::string scene =
       "run doublebubble --set n=12 --set vtp=true --set frame_every=7 --set checkpoint_every=3 --steps 60";
   const ScratchFolder scratch;
+  const base::Stopwatch watch;
   ASSERT_EQ(run_foamsim(scene + " --quiet --out " + (scratch / "whole")).exit_code, 0);
+  const double seconds = watch.seconds();
   for (int round = 0; round < 2; ++round) {
     const std::string folder = scratch / "parts" + std::to_string(round);
     int kills = 0, code = 137;
     for (; kills < most_kills && code == 137; ++kills)
-      code = run_foamsim(command_after_kill(scene, folder), "timeout -s KILL " + std::to_string(seconds(random)))
-                 .exit_code;
+      code =
+          run_foamsim(command_after_kill(scene, folder), "timeout -s KILL " + std::to_string(seconds * share(random)))
+              .exit_code;
     if (code != 0) code = run_foamsim(command_after_kill(scene, folder)).exit_code;
     ASSERT_EQ(code, 0);
     EXPECT_GT(kills, 1) << "it was too fast to be killed";

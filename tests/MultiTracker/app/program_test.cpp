@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCase{"missing_option_file", "run nowhere.txt", {"nowhere.txt", "no such option file"}},
                     BadCase{"missing_mesh", "run enright --mesh nowhere.ply", {"nowhere.ply"}},
                     BadCase{"unknown_format", "run enright --mesh " MULTITRACKER_PROGRAM, {"known are .ply"}},
-                    BadCase{"no_spheres", "study robustness --spheres 0", {"--spheres", ">= 1"}},
+                    BadCase{"no_spheres", "study robustness --spheres 0", {"--spheres", "from 1 to"}},
                     BadCase{"no_step", "study robustness --steps-of 0", {"--steps-of 0", "> 0"}},
                     BadCase{"no_scene", "run", {"scene"}},
                     BadCase{"no_checkpoint", "run --resume nowhere.cbor", {"nowhere.cbor", "checkpoint"}},

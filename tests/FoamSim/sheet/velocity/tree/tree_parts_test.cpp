@@ -139,45 +139,47 @@ TEST(PairOrders, FallWithDistanceAndAlongShortSides) {
   EXPECT_LT(orders.shape(orders.count() - 1, Vec3(1, 0.1, 1))[1], 7U);
 }
 
-// The potential of random charges in one box at points of another by both grids, against the sum itself: relative to
-// the largest.
+// The points of a grid in a box, and the values of their polynomials at x.
+struct WeightedGrid {
+  std::vector<Vec3> places;
+  std::vector<double> weights;
+};
+
+WeightedGrid weighted_grid(const GridShape& shape, const Vec3& half, const Vec3& x) {
+  std::vector<Chebyshev> nodes;
+  std::array<Chebyshev::Values, 3> values{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    nodes.emplace_back(shape[axis]);
+    nodes[axis].values(x[a] / half[a], values[axis]);
+  }
+  WeightedGrid grid;
+  for (std::size_t a = 0; a < shape[0]; ++a)
+    for (std::size_t b = 0; b < shape[1]; ++b)
+      for (std::size_t c = 0; c < shape[2]; ++c) {
+        grid.places.emplace_back(half[0] * nodes[0].node(a), half[1] * nodes[1].node(b), half[2] * nodes[2].node(c));
+        grid.weights.push_back(values[0][a] * values[1][b] * values[2][c]);
+      }
+  return grid;
+}
+
+// The potential of a charge in one box at a point of another by both grids, against itself: the largest error of
+// some, relative to the largest.
 double error_by_grids(const PairOrders& orders, double openness, const Vec3& half, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1);
-  const double radius = half.norm();
-  const Vec3 apart = Vec3(value(random), value(random), value(random)).normalized() * 2 * radius / openness;
+  const Vec3 apart = Vec3(value(random), value(random), value(random)).normalized() * 2 * half.norm() / openness;
   const GridShape shape = orders.shape(orders.order(openness), half);
-  const auto weight = [&](const Vec3& x, std::size_t a, std::size_t b, std::size_t c) {
-    double product = 1;
-    const std::array<std::size_t, 3> index{a, b, c};
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      Chebyshev::Values values{};
-      Chebyshev(shape[static_cast<std::size_t>(axis)]).values(x[axis] / half[axis], values);
-      product *= values[index[static_cast<std::size_t>(axis)]];
-    }
-    return product;
-  };
-  const auto place = [&](std::size_t a, std::size_t b, std::size_t c) -> Vec3 {
-    return half.cwiseProduct(
-        Vec3(Chebyshev(shape[0]).node(a), Chebyshev(shape[1]).node(b), Chebyshev(shape[2]).node(c)));
-  };
-  const auto each = [&](const auto& body) {
-    for (std::size_t a = 0; a < shape[0]; ++a)
-      for (std::size_t b = 0; b < shape[1]; ++b)
-        for (std::size_t c = 0; c < shape[2]; ++c) body(a, b, c);
-  };
   double worst = 0, largest = 0;
   for (int i = 0; i < 5; ++i) {
     const auto point = [&] { return half.cwiseProduct(Vec3(value(random), value(random), value(random))).eval(); };
     const Vec3 source = point(), target = point();
+    const WeightedGrid from = weighted_grid(shape, half, source), to = weighted_grid(shape, half, target);
     const double exact = 1 / (target + apart - source).norm();
     double sum = 0;
-    each([&](std::size_t a, std::size_t b, std::size_t c) {
-      const double to = weight(target, a, b, c);
-      each([&](std::size_t d, std::size_t e, std::size_t f) {
-        sum += to * weight(source, d, e, f) / (place(a, b, c) + apart - place(d, e, f)).norm();
-      });
-    });
+    for (std::size_t t = 0; t < to.places.size(); ++t)
+      for (std::size_t s = 0; s < from.places.size(); ++s)
+        sum += to.weights[t] * from.weights[s] / (to.places[t] + apart - from.places[s]).norm();
     worst = std::max(worst, std::abs(sum - exact));
     largest = std::max(largest, exact);
   }

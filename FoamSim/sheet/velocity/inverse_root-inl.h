@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace foamsim::HWY_NAMESPACE {
@@ -25,10 +26,12 @@ inline constexpr std::uint64_t inverse_root_guess(double) {
 
 /// 1/√x of positive normal numbers, to an ulp or two, and the same bits on all machines that have fused multiplication:
 /// a guess and two of Householder's steps, y (1 + h/2 + 3h²/8 + 5h³/16) with h = 1 − x y². A root and a division take
-/// twice as long where the vectors are wide. 0 for 0; x is not infinite.
+/// twice as long where the vectors are wide. 0 for 0, and nearly that for what is too large for the precision.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V inverse_root(D d, V x) {
   using Real = hn::TFromD<D>;
+  // Where x is infinite the steps would give no number.
+  x = hn::Min(x, hn::Set(d, std::numeric_limits<Real>::max()));
   const hn::RebindToUnsigned<D> bits;
   const V one = hn::Set(d, Real{1}), half = hn::Set(d, Real{0.5}), cubic = hn::Set(d, Real{0.3125}),
           square = hn::Set(d, Real{0.375});

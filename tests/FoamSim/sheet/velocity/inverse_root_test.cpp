@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "FoamSim/sheet/velocity/inverse_root-inl.h"
@@ -26,6 +27,13 @@ double worst_error(double least_exponent, double most_exponent) {
 TEST(InverseRoot, IsGoodToAnUlpOrTwo) {
   EXPECT_LT(worst_error<float>(-37, 38), 2.5e-7);
   EXPECT_LT(worst_error<double>(-300, 300), 1e-15);
+}
+
+TEST(InverseRoot, OfWhatIsTooLargeIsNearlyZero) {
+  const hn::CappedTag<float, 1> one;
+  const float got = hn::GetLane(inverse_root(one, hn::Set(one, std::numeric_limits<float>::infinity())));
+  EXPECT_GE(got, 0);
+  EXPECT_LT(got, 1e-18F);
 }
 
 TEST(InverseRoot, OfZeroIsZero) {

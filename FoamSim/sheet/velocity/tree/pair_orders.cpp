@@ -40,11 +40,11 @@ std::size_t PairOrders::order(double openness) const {
   return std::min<std::size_t>(static_cast<std::size_t>(found - reach_.begin()), reach_.size() - 1);
 }
 
-PairOrders::Shape PairOrders::shape(std::size_t order, const lostopos::Vec3& half) const {
+GridShape PairOrders::shape(std::size_t order, const lostopos::Vec3& half) const {
   const std::size_t most = nodes(order);
   const double s = nearest_source(reach_[order]), error = static_cast<double>(most - 1) * log_rate(s);
   const double longest = half.maxCoeff();
-  Shape shape{most, most, most};
+  GridShape shape{most, most, most};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double own = half[static_cast<Eigen::Index>(axis)];
     if (!(own > 0) || own == longest) continue;

@@ -15,9 +15,6 @@ namespace foamsim {
 /// openness need fewer points than its nodes, and so do the short sides of their boxes.
 class PairOrders {
  public:
-  /// Points along x, y and z.
-  using Shape = GridShape;
-
   explicit PairOrders(const TreeAccuracy& accuracy);
 
   /// An order for each number of nodes from 3 (or all, where those are fewer) on.
@@ -28,7 +25,7 @@ class PairOrders {
   /// The lowest one for a pair of clusters whose radii are this share of their middles' distance.
   std::size_t order(double openness) const;
   /// The grid of an order for a cluster with a box of these half sides (L).
-  Shape shape(std::size_t order, const lostopos::Vec3& half) const;
+  GridShape shape(std::size_t order, const lostopos::Vec3& half) const;
 
  private:
   std::size_t fewest_;

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Measures Surface Evolver (Brakke 1992, package evolver-nox) on the double bubble: error against CPU time.
 
 usage: measure_evolver.py DIR [LEVELS]     writes DIR/evolver.csv, one line a level of refinement (default 5 levels),

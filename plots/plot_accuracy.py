@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Plots what accuracy costs in time: errors of double bubbles at rest against CPU seconds, and the cost by stage.
 
 usage: plot_accuracy.py DIR     reads DIR/accuracy.csv and, when there is one, DIR/evolver.csv; writes
@@ -8,10 +8,7 @@ import csv
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 from matplotlib.lines import Line2D
 
 COLOURS = {"naive": "tab:red", "constant-edge": "tab:orange", "averaged": "tab:blue"}

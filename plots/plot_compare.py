@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Plots a comparison of area strategies: angle, centroid and energy against time, one line a strategy.
 
 usage: plot_compare.py DIR     DIR as 'foamsim compare' leaves it; reads compare.csv and STRATEGY/metrics.csv, writes
@@ -9,10 +9,7 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 
 def read_columns(path, names):

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Figure 1: labels the frames of the three strategies, and plots centroid, outer angle and energy against time.
 
 usage: plot_figure1.py DIR    reads DIR/figure1_frames.png, DIR/compare.csv, DIR/STRATEGY/metrics.csv and the names of
@@ -8,10 +8,7 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 from csv_columns import column, read_rows
 

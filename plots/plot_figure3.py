@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the stretched junction: three films at 120° before and after, and each region's curvature by strategy.
 
 usage: plot_figure3.py DIR    reads DIR/figure3.csv, writes DIR/figure3.png
@@ -7,10 +7,7 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 from csv_columns import read_rows
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Growth of the cells of a coarsening foam by their number of faces, from volumes.csv of `multitracker run mcf`.
 
 usage: plot_mcf.py RUN_DIR [OUT.png] [--every STEPS]
@@ -13,10 +13,7 @@ import csv
 import os
 from collections import defaultdict
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 
 def read_cells(path):

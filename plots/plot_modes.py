@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Plots bubbles that oscillate in one mode: amplitude against time beside linear theory, and error against delta.
 
 usage: plot_modes.py DIR     reads DIR/modes.csv and DIR/modes_summary.csv, writes DIR/modes_plot.png
@@ -7,10 +7,7 @@ import csv
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 
 def read_rows(path):

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """What a step of a foam costs against its number of bubbles, by stage, from the run folders of a sweep over `bubbles`.
 
 usage: plot_scale.py OUT.png RUN_DIR [RUN_DIR ...]
@@ -13,10 +13,7 @@ import json
 import math
 import os
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 FEW = 30  # bubbles, below which constant costs show
 

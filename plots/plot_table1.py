@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Plots the rest angles of double bubbles against resolution, beside the published ones and those of exact bubbles.
 
 usage: plot_table1.py DIR     reads DIR/table1.csv, writes DIR/table1_plot.png
@@ -6,10 +6,7 @@ usage: plot_table1.py DIR     reads DIR/table1.csv, writes DIR/table1_plot.png
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from drawing import plt
 
 from csv_columns import column, read_rows
 

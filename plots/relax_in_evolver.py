@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Lets Surface Evolver (Brakke 1992, package evolver-nox) relax a frame of foamsim on the very same triangles.
 
 usage: relax_in_evolver.py FRAME.ply OUT.ply     also writes OUT.fe, the data file

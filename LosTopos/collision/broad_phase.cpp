@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "LosTopos/collision/box_overlap.h"
+#include "LosTopos/collision/rounded_box.h"
 
 namespace lostopos {
 namespace {
@@ -27,15 +28,6 @@ std::int64_t cell_coordinate(double x, double inverse_cell) {
   const double cell = std::floor(x * inverse_cell);
   if (!(cell > -largest_cell_coordinate)) return -static_cast<std::int64_t>(largest_cell_coordinate);
   return static_cast<std::int64_t>(std::min(cell, largest_cell_coordinate));
-}
-
-float rounded_down(double x) {
-  const float y = static_cast<float>(x);
-  return static_cast<double>(y) <= x ? y : std::nextafter(y, -std::numeric_limits<float>::infinity());
-}
-
-float rounded_up(double x) {
-  return -rounded_down(-x);
 }
 
 // Not less than the exact extent.
@@ -61,9 +53,9 @@ std::uint64_t cell_hash(int level, std::int64_t x, std::int64_t y, std::int64_t 
 // A hashed grid with levels. A box is kept in one cell only, that of its low corner, on a level whose cells are at
 // least twice its size (but for the last level); a query looks at the cells that low corners of boxes which reach it
 // can be in. What a build finds in a cell lies together in memory, in single precision rounded outwards, so that most
-// boxes are dismissed without looking at their slot; what comes later is listed through the slots, until there is so
-// much of it that everything is laid out anew. Cells whose hashes coincide share a place, which costs time, not
-// correctness, for every box found is tested.
+// boxes are dismissed, or found, without looking at their slot; what comes later is listed through the slots, until
+// there is so much of it that everything is laid out anew. Cells whose hashes coincide share a place, which costs time,
+// not correctness, for every box found is tested.
 struct BroadPhase::Grid {
   struct Slot {
     Box box;
@@ -73,20 +65,13 @@ struct BroadPhase::Grid {
     std::uint32_t entry = none;                                    ///< none: in the cell's list
     std::int32_t level = 0;
   };
-  struct Entry {
-    std::array<float, 3> low, high;
-    std::uint32_t slot;
-
-    void enclose(const Box& box) {
-      for (int i = 0; i < 3; ++i) {
-        low[static_cast<std::size_t>(i)] = rounded_down(box.low[i]);
-        high[static_cast<std::size_t>(i)] = rounded_up(box.high[i]);
-      }
-    }
-    void clear() {
-      low.fill(std::numeric_limits<float>::infinity());
-      high.fill(-std::numeric_limits<float>::infinity());
-    }
+  struct Entry : RoundedBox {
+    std::uint32_t slot = none;
+  };
+  // Of a bucket; its entries end where the next one's begin.
+  struct Cell {
+    std::uint32_t first_entry = 0;
+    std::uint32_t listed = none;  ///< head of the list
   };
   struct Level {
     std::size_t count = 0;
@@ -96,14 +81,14 @@ struct BroadPhase::Grid {
   };
 
   std::vector<Slot> slots;
-  std::vector<Entry> entries;                ///< by bucket
-  std::vector<std::uint32_t> first_entries;  ///< of each bucket, and the end of the last
-  std::vector<std::uint32_t> buckets;        ///< heads of the cells' lists
+  std::vector<Entry> entries;  ///< by bucket
+  std::vector<Cell> cells{1};  ///< of each bucket, and one more, the end of the last
   std::size_t listed = 0;
   std::array<Level, level_count> levels;
   double base_extent = 0;  ///< the largest box of the base level
   std::size_t held = 0;
 
+  std::size_t buckets() const { return cells.size() - 1; }
   bool holds(std::uint32_t slot) const { return slot < slots.size() && slots[slot].bucket != none; }
 
   int level_of(double extent) const {
@@ -121,7 +106,7 @@ struct BroadPhase::Grid {
     return static_cast<std::uint32_t>(cell_hash(level, cell_coordinate(low[0], inverse_cell),
                                                 cell_coordinate(low[1], inverse_cell),
                                                 cell_coordinate(low[2], inverse_cell)) &
-                                      (buckets.size() - 1));
+                                      (buckets() - 1));
   }
 
   // Finds the slot's level and bucket, and counts it there.
@@ -144,7 +129,7 @@ struct BroadPhase::Grid {
     assign(index);
     Slot& slot = slots[index];
     slot.previous = none;
-    slot.next = std::exchange(buckets[slot.bucket], index);
+    slot.next = std::exchange(cells[slot.bucket].listed, index);
     if (slot.next != none) slots[slot.next].previous = index;
     ++listed;
   }
@@ -154,7 +139,7 @@ struct BroadPhase::Grid {
     if (slot.entry != none) {
       entries[slot.entry].clear();
     } else {
-      (slot.previous == none ? buckets[slot.bucket] : slots[slot.previous].next) = slot.next;
+      (slot.previous == none ? cells[slot.bucket].listed : slots[slot.previous].next) = slot.next;
       if (slot.next != none) slots[slot.next].previous = slot.previous;
       --listed;
     }
@@ -181,19 +166,22 @@ struct BroadPhase::Grid {
 
   // Puts all held boxes next to those of the same bucket.
   void lay_out() {
-    first_entries.assign(buckets.size() + 1, 0);
+    cells.assign(cells.size(), {});
     for (const Slot& slot : slots)
-      if (slot.bucket != none) ++first_entries[slot.bucket + 1];
-    for (std::size_t i = 1; i < first_entries.size(); ++i) first_entries[i] += first_entries[i - 1];
+      if (slot.bucket != none) ++cells[slot.bucket + 1].first_entry;
+    for (std::size_t i = 1; i < cells.size(); ++i) cells[i].first_entry += cells[i - 1].first_entry;
     entries.resize(held);
-    std::vector<std::uint32_t> next(first_entries.begin(), first_entries.end() - 1);
-    for (std::uint32_t i = 0; i < slots.size(); ++i) {
+    // From behind, so that within a bucket slots rise.
+    for (std::uint32_t i = static_cast<std::uint32_t>(slots.size()); i-- > 0;) {
       Slot& slot = slots[i];
       if (slot.bucket == none) continue;
-      slot.entry = next[slot.bucket]++;
+      slot.entry = --cells[slot.bucket + 1].first_entry;
       entries[slot.entry].enclose(slot.box);
       entries[slot.entry].slot = i;
     }
+    // Each bucket's first entry stands in the place of the next one's now.
+    for (std::size_t i = 0; i + 1 < cells.size(); ++i) cells[i].first_entry = cells[i + 1].first_entry;
+    cells.back().first_entry = static_cast<std::uint32_t>(held);
     listed = 0;
   }
 
@@ -215,7 +203,7 @@ struct BroadPhase::Grid {
     }
     std::size_t size = 64;
     while (size < held + more) size *= 2;
-    buckets.assign(size, none);
+    cells.assign(size + 1, {});
     held = 0;
     for (std::uint32_t i = static_cast<std::uint32_t>(slots.size()); i-- > 0;) {
       if (slots[i].bucket != none) assign(i);
@@ -223,40 +211,55 @@ struct BroadPhase::Grid {
     lay_out();
   }
 
-  void append_bucket(std::size_t bucket, const Box& box, const Entry& single, std::vector<Triangle>& found) const {
-    for (std::uint32_t i = first_entries[bucket]; i < first_entries[bucket + 1]; ++i) {
+  void append_bucket(std::size_t bucket, const BoxQuery& query, std::vector<Triangle>& found) const {
+    for (std::uint32_t i = cells[bucket].first_entry; i < cells[bucket + 1].first_entry; ++i) {
       const Entry& entry = entries[i];
-      if (overlap(entry, single) && overlap(slots[entry.slot].box, box)) found.push_back(Triangle(entry.slot));
+      if (!query.may_meet(entry)) continue;
+      if (query.surely_meets(entry) || overlap(slots[entry.slot].box, query.box())) found.emplace_back(entry.slot);
     }
-    for (std::uint32_t i = buckets[bucket]; i != none; i = slots[i].next) {
-      if (overlap(slots[i].box, box)) found.push_back(Triangle(i));
+    for (std::uint32_t i = cells[bucket].listed; i != none; i = slots[i].next) {
+      if (overlap(slots[i].box, query.box())) found.emplace_back(i);
     }
   }
 
-  void append_level(int index, const Box& box, const Entry& single, std::vector<Triangle>& found) const {
+  void append_level(int index, const BoxQuery& query, std::vector<Triangle>& found) const {
+    const Box& box = query.box();
     const Level& level = levels[static_cast<std::size_t>(index)];
     std::array<std::int64_t, 3> from, to;
-    double cells = 1;
+    double reached = 1;
     for (int i = 0; i < 3; ++i) {
       const auto axis = static_cast<std::size_t>(i);
       // Rounding is monotone, so no low corner of a box that reaches the query is in a cell before this one.
       from[axis] = cell_coordinate(box.low[i] - level.largest_extent, level.inverse_cell);
       to[axis] = cell_coordinate(box.high[i], level.inverse_cell);
-      cells *= static_cast<double>(to[axis] - from[axis]) + 1;
+      reached *= static_cast<double>(to[axis] - from[axis]) + 1;
     }
-    if (cells >= static_cast<double>(level.count)) {
+    if (reached >= static_cast<double>(level.count)) {
       for (std::uint32_t i = level.first; i != none; i = slots[i].next_in_level) {
         if (overlap(slots[i].box, box)) found.push_back(Triangle(i));
       }
       return;
     }
-    const std::size_t mask = buckets.size() - 1;
+    // Cells are far apart in memory: what is needed next is asked for some cells ahead.
+    constexpr std::size_t most_ahead = 16;
+    std::array<std::size_t, most_ahead> ahead;
+    std::size_t count = 0;
+    const std::size_t mask = buckets() - 1;
     for (std::int64_t x = from[0]; x <= to[0]; ++x) {
       for (std::int64_t y = from[1]; y <= to[1]; ++y) {
-        for (std::int64_t z = from[2]; z <= to[2]; ++z)
-          append_bucket(cell_hash(index, x, y, z) & mask, box, single, found);
+        for (std::int64_t z = from[2]; z <= to[2]; ++z) {
+          ahead[count] = cell_hash(index, x, y, z) & mask;
+          __builtin_prefetch(&cells[ahead[count]]);
+          if (++count == most_ahead) append_buckets({ahead.data(), std::exchange(count, 0)}, query, found);
+        }
       }
     }
+    append_buckets({ahead.data(), count}, query, found);
+  }
+
+  void append_buckets(std::span<const std::size_t> some, const BoxQuery& query, std::vector<Triangle>& found) const {
+    for (std::size_t bucket : some) __builtin_prefetch(entries.data() + cells[bucket].first_entry);
+    for (std::size_t bucket : some) append_bucket(bucket, query, found);
   }
 };
 
@@ -290,7 +293,7 @@ void BroadPhase::set(Triangle t, const Box& box) {
     grid.unlink(t.index());
   }
   // Doubling keeps the cost of it constant for each triangle taken in, and so does waiting for a share of the boxes.
-  if (grid.buckets.size() <= grid.held || grid.listed > 64 + grid.held / 4) grid.rebuild(grid.held + 1);
+  if (grid.buckets() <= grid.held || grid.listed > 64 + grid.held / 4) grid.rebuild(grid.held + 1);
   grid.slots[t.index()].box = box;
   grid.link(t.index());
 }
@@ -300,10 +303,9 @@ void BroadPhase::remove(Triangle t) {
 }
 
 void BroadPhase::query_unsorted(const Box& box, std::vector<Triangle>& found) const {
-  Grid::Entry single;
-  single.enclose(box);
+  const BoxQuery query(box);
   for (int level = 0; level < level_count; ++level) {
-    if (grid_->levels[static_cast<std::size_t>(level)].count > 0) grid_->append_level(level, box, single, found);
+    if (grid_->levels[static_cast<std::size_t>(level)].count > 0) grid_->append_level(level, query, found);
   }
 }
 
@@ -320,7 +322,7 @@ const Box& BroadPhase::box(Triangle t) const {
 
 std::size_t BroadPhase::memory_bytes() const {
   return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) + grid_->entries.capacity() * sizeof(Grid::Entry) +
-         (grid_->buckets.capacity() + grid_->first_entries.capacity()) * sizeof(std::uint32_t);
+         grid_->cells.capacity() * sizeof(Grid::Cell);
 }
 
 Box triangle_box(const SurfaceMesh& mesh, Triangle t, std::span<const Vec3> positions, double margin) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -79,6 +80,32 @@ TEST(BroadPhase, FindsTheSameAtAnyScale) {
   edit_and_compare({1e+12, Vec3::Zero(), 3}, 1500);
   edit_and_compare({1e-300, Vec3::Zero(), 4}, 1500);
   edit_and_compare({1e+306, Vec3::Zero(), 5}, 1500);
+}
+
+// Sides that differ by one double, which single precision does not tell apart, above and below numbers that it has.
+TEST(BroadPhase, TellsWhatTouchesFromWhatIsADoubleAway) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  BroadPhase phase;
+  Held held;
+  for (std::size_t i = 0; i < 300; ++i) {
+    const double at = 1 + (static_cast<double>(i % 7) - 3) * 0x1p-24 + static_cast<double>(i % 3) * 0x1p-52;
+    held[Triangle(i)] = {Vec3::Constant(0), Vec3(at, 1, at)};
+  }
+  // Those of the first build are laid out in single precision.
+  for (const auto& [t, box] : held) phase.set(t, box);
+  std::size_t met = 0, missed = 0;
+  for (const auto& [t, box] : held)
+    for (const double toward : {-infinity, 0.0, infinity}) {
+      const double side = toward == 0 ? box.high[0] : std::nextafter(box.high[0], toward);
+      const Box asked{Vec3(side, 0.5, 0.5), Vec3::Constant(2)};
+      std::vector<Triangle> found;
+      phase.query(asked, found);
+      ASSERT_EQ(found, brute_force(held, asked)) << side - 1;
+      met += found.size();
+      missed += held.size() - found.size();
+    }
+  EXPECT_GT(met, 0u);
+  EXPECT_GT(missed, 0u);
 }
 
 TEST(BroadPhase, FarFromTheOrigin) {

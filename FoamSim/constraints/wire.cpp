@@ -130,15 +130,19 @@ void Wire::prescribe(const Stage& stage, std::span<Vec3> positions) {
       positions[v.index()] = start[v.index()] + displacement(path, stage.step.time, stage.time);
 }
 
+bool Wire::pulls() const {
+  return std::ranges::any_of(wires_, [](const WireSpec& wire) { return wire.motion.kind == Kind::pull; });
+}
+
 nlohmann::json Wire::state() const {
-  if (std::ranges::none_of(wires_, [](const WireSpec& wire) { return wire.motion.kind == Kind::pull; })) return nullptr;
+  if (!pulls()) return nullptr;
   nlohmann::json axes = nlohmann::json::array();
   for (const Vec3& axis : axes_) axes.push_back({axis.x(), axis.y(), axis.z()});
   return axes;
 }
 
 void Wire::restore(const nlohmann::json& state) {
-  if (state.is_null()) return;
+  if (!pulls() && state.is_null()) return;
   const auto axes = base::CheckedJson(state, "the state of constraint 'wire'").entries(axes_.size());
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const std::vector<double> axis = axes[i].finite_numbers(3);

@@ -39,6 +39,8 @@ class Wire final : public Constraint {
   // Of a vertex on that path between two times, L.
   lostopos::Vec3 displacement(Path path, double start, double end) const;
   std::vector<std::uint8_t> wired() const;
+  // Whether any of them has an axis, which has to be remembered.
+  bool pulls() const;
 
   std::vector<WireSpec> wires_;
   std::vector<lostopos::Vec3> axes_;  // of those that pull, by wire

@@ -100,6 +100,14 @@ TEST(Wire, HasTheSameBitsForAnyNumberOfThreadsAndResumed) {
   EXPECT_EQ(bits(second), one);
 }
 
+TEST(Wire, RefusesASavedStateWithoutTheAxesThatItPullsAlong) {
+  Simulation simulation = tube(made_wire({"free-edges: pull 0.4"}), false);
+  simulation.step();
+  nlohmann::json saved = nlohmann::json::from_cbor(bits(simulation));
+  ASSERT_EQ(saved["models"]["constraints"].erase("wire"), 1u);
+  EXPECT_THROW(simulation.restore(simulation_state_from_json(saved)), base::InputError);
+}
+
 TEST(Wire, LeavesEverythingAsItWasWhenAStepFails) {
   class Fails final : public Constraint {
    public:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "Base/lists/equal_entries.h"
 #include "LosTopos/geometry/predicates.h"
 #include "LosTopos/io/repair/repairs.h"
 #include "LosTopos/io/surface_edit.h"
@@ -22,8 +23,7 @@ class EdgeTriangles {
   std::vector<std::size_t> at(std::uint32_t a, std::uint32_t b) const {
     std::vector<std::size_t> triangles;
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(a, b);
-    for (const Entry& entry : std::ranges::equal_range(entries_, ends, {}, &Entry::ends))
-      triangles.push_back(entry.triangle);
+    for (const Entry& entry : base::equal_entries(entries_, ends, &Entry::ends)) triangles.push_back(entry.triangle);
     return triangles;
   }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "Base/lists/equal_entries.h"
 #include "LosTopos/io/repair/repairs.h"
 #include "LosTopos/io/surface_edit.h"
 
@@ -28,7 +29,7 @@ class VertexGrid {
     for (std::int64_t x = from[0]; x <= to[0]; ++x)
       for (std::int64_t y = from[1]; y <= to[1]; ++y)
         for (std::int64_t z = from[2]; z <= to[2]; ++z)
-          for (const Entry& entry : std::ranges::equal_range(entries_, Cell{x, y, z}, {}, &Entry::cell))
+          for (const Entry& entry : base::equal_entries(entries_, Cell{x, y, z}, &Entry::cell))
             if ((positions_[entry.vertex] - positions_[v]).norm() <= distance_) visit(entry.vertex);
   }
 

@@ -9,9 +9,20 @@
 namespace base {
 namespace {
 
+// A message may quote a word of a file, which may be as long as the file.
+std::string shortened(std::string_view text) {
+  constexpr std::size_t longest = 4000, kept_at_the_end = 1000;
+  if (text.size() <= longest) return std::string(text);
+  const auto begins_a_letter = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U; };
+  std::size_t end_of_head = longest - kept_at_the_end, tail = text.size() - kept_at_the_end;
+  for (int i = 0; i < 3 && !begins_a_letter(end_of_head); ++i) --end_of_head;  // of up to four bytes, in UTF-8
+  for (int i = 0; i < 3 && !begins_a_letter(tail); ++i) ++tail;
+  return std::string(text.substr(0, end_of_head)) + " … " + std::string(text.substr(tail));
+}
+
 // `colour`: an SGR number.
 void print_line(std::string_view program, std::string_view text, int colour) {
-  std::string line = std::string(program) + ": " + std::string(text);
+  std::string line = std::string(program) + ": " + shortened(text);
   if (may_colour(STDERR_FILENO)) line = "\033[" + std::to_string(colour) + "m" + line + "\033[0m";
   std::fprintf(stderr, "%s\n", line.c_str());
 }

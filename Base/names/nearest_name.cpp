@@ -38,9 +38,12 @@ std::vector<std::string> nearest_names(std::string_view name, std::span<const st
   // Beyond half of the letters wrong a suggestion would be a guess; beside the best one, those hardly worse.
   const std::size_t limit = std::max<std::size_t>(2, name.size() / 2);
   std::vector<std::pair<std::size_t, std::string_view>> near;
-  for (std::string_view candidate : known)
+  for (std::string_view candidate : known) {
+    // So many letters too many cannot be few changes. To compare them would take the product of both lengths.
+    if (name.size() > candidate.size() + limit) continue;
     if (const std::size_t distance = name_distance(name, candidate); distance <= limit)
       near.emplace_back(distance, candidate);
+  }
   std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
   std::vector<std::string> names;
   for (const auto& [distance, candidate] : near)

@@ -48,6 +48,19 @@ TEST(Terminal, ErrorsAreColouredUnlessNoColorIsSet) {
   EXPECT_EQ(plain, "kitchen: burnt\r\nkitchen: hot\r\n");
 }
 
+TEST(Terminal, OfAVeryLongMessageTheMiddleIsLeftOut) {
+  const std::string shown = on_terminal(80, [] {
+    setenv("NO_COLOR", "1", 1);
+    std::string much;
+    for (int i = 0; i < 100'000; ++i) much += "ü";
+    print_error("kitchen", "x" + much + "burnt");
+  });
+  EXPECT_LT(shown.size(), 4100U);
+  EXPECT_TRUE(shown.starts_with("kitchen: xüü"));
+  EXPECT_TRUE(shown.ends_with("üüburnt\r\n"));
+  EXPECT_NE(shown.find("ü … ü"), std::string::npos) << "cut between letters";
+}
+
 TEST(Terminal, TheProgressBarFitsInFortyColumns) {
   const std::string shown = on_terminal(40, [] {
     Progress progress("doublebubble", false);

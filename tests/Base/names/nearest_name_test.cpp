@@ -46,5 +46,13 @@ TEST(UnknownNameMessage, SuggestsAFewOfManyNames) {
             "unknown option 'longest_edge'; did you mean 'remeshing.longest_edge'? (see 'foamsim scenes')");
 }
 
+// As long as the longest file of options; compared letter by letter it would take minutes.
+TEST(NearestName, IsNotLookedForNearANameThatIsFarTooLong) {
+  std::vector<std::string> names(400, "remeshing.longest_edge");
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  EXPECT_EQ(base::nearest_name(std::string(16'000'000, 'r'), known), "");
+  EXPECT_EQ(base::nearest_name("remeshing.longest_edge" + std::string(11, 'e'), known), "remeshing.longest_edge");
+}
+
 }  // namespace
 }  // namespace foamsim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "Base/io/number_text.h"
 #include "LosTopos/io/read_error.h"
@@ -94,8 +95,8 @@ class HeaderParser {
       fail("an element needs a name and a count, but the count is " + in_quotes(count) +
            "; 'element vertex 12' would be right");
     element.count = static_cast<std::uint64_t>(*number);
-    if (std::ranges::any_of(header_.elements, [&](const PlyElement& e) { return e.name == element.name; }))
-      fail("element " + in_quotes(element.name) + " is declared twice");
+    if (!element_names_.insert(element.name).second) fail("element " + in_quotes(element.name) + " is declared twice");
+    property_names_.clear();
     header_.elements.push_back(std::move(element));
   }
 
@@ -110,10 +111,9 @@ class HeaderParser {
     property.type = parse_type(type);
     property.name = word();
     if (property.name.empty()) fail("the property has no name; 'property double x' would be right");
-    auto& properties = header_.elements.back().properties;
-    if (std::ranges::any_of(properties, [&](const PlyProperty& p) { return p.name == property.name; }))
+    if (!property_names_.insert(property.name).second)
       fail("property " + in_quotes(property.name) + " is declared twice");
-    properties.push_back(std::move(property));
+    header_.elements.back().properties.push_back(std::move(property));
   }
 
   PlyType parse_type(std::string_view name) {
@@ -126,6 +126,7 @@ class HeaderParser {
 
   ByteReader& bytes_;
   PlyHeader header_;
+  std::set<std::string> element_names_, property_names_;  // the latter of the last element
   std::string line_;
   std::string_view rest_;
 };

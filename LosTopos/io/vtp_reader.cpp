@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "Base/error.h"
 #include "Base/io/number_text.h"
@@ -184,10 +185,11 @@ class SurfaceAssembler {
   }
 
   void move_arrays(std::vector<PlacedArray>& from, std::uint64_t elements, std::vector<DataArray>& to) {
+    std::set<std::string> taken;
     for (PlacedArray& array : from) {
       require_length(array, elements, static_cast<std::uint64_t>(array.data.components));
       if (array.data.name.empty()) fail(array, "it has no name");
-      if (std::ranges::find(to, array.data.name, &DataArray::name) != to.end()) fail(array, "the name is taken");
+      if (!taken.insert(array.data.name).second) fail(array, "the name is taken");
       to.push_back(std::move(array.data));
     }
   }

@@ -21,6 +21,8 @@ XmlReader::XmlReader(std::string_view text, std::string name) : text_(text), nam
 }
 
 XmlReader::Event XmlReader::next() {
+  line_of_tag_at_ = line();
+  tag_at_ = next_;
   if (std::exchange(self_closed_, false)) return Event::End;
   for (;;) {  // ends: every turn passes a tag, or leaves
     const std::string_view between = text();
@@ -49,7 +51,7 @@ XmlReader::Event XmlReader::next() {
 }
 
 XmlReader::Event XmlReader::start_tag() {
-  constexpr std::size_t deepest = 100;
+  constexpr std::size_t deepest = 100, most_attributes = 100;
   if (open_.empty() && has_root_) fail("a second root element");
   if (open_.size() == deepest) fail("elements are nested more than " + std::to_string(deepest) + " deep");
   has_root_ = true;
@@ -57,6 +59,8 @@ XmlReader::Event XmlReader::start_tag() {
   attributes_.clear();
   skip_space();
   while (next_ < text_.size() && text_[next_] != '>' && text_[next_] != '/') {  // ends: an attribute is not empty
+    if (attributes_.size() == most_attributes)
+      fail("an element has more than " + std::to_string(most_attributes) + " attributes");
     read_attribute();
     skip_space();
   }
@@ -163,7 +167,7 @@ std::string XmlReader::unescape(std::string_view value) const {
 }
 
 std::size_t XmlReader::line() const {
-  return 1 + static_cast<std::size_t>(std::ranges::count(text_.substr(0, next_), '\n'));
+  return line_of_tag_at_ + static_cast<std::size_t>(std::ranges::count(text_.substr(tag_at_, next_ - tag_at_), '\n'));
 }
 
 void XmlReader::fail(const std::string& problem) const {

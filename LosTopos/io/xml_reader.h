@@ -30,7 +30,7 @@ class XmlReader {
   void skip_element();
 
   const std::string& name() const { return name_; }
-  /// Line of the next character, from 1. Counted anew every time.
+  /// Line of the next character, from 1.
   std::size_t line() const;
   [[noreturn]] void fail(const std::string& problem) const;
 
@@ -51,7 +51,9 @@ class XmlReader {
 
   std::string_view text_;
   std::string name_;
-  std::size_t next_ = 0;  // place of the next character
+  std::size_t next_ = 0;    // place of the next character
+  std::size_t tag_at_ = 0;  // place behind the last tag but one
+  std::size_t line_of_tag_at_ = 1;
   std::string_view tag_;
   std::vector<Attribute> attributes_;
   std::vector<std::string_view> open_;  // elements not yet ended

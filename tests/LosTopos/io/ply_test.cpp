@@ -192,5 +192,16 @@ TEST_F(PlyTest, InvalidDataIsNotWritten) {
   EXPECT_EQ(files_in_folder(), 0U);
 }
 
+// Compared each with each, they would take minutes.
+TEST_F(PlyTest, HundredsOfThousandsOfElementsAndPropertiesAreRead) {
+  std::string header = "ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nproperty int y\nproperty int z\n";
+  for (int i = 0; i < 200'000; ++i) header += "property int p" + std::to_string(i) + "\n";
+  header += "element face 0\nproperty list uchar int vertex_indices\n";
+  for (int i = 0; i < 200'000; ++i) header += "element e" + std::to_string(i) + " 0\n";
+  EXPECT_TRUE(read_ply(write("many.ply", header + "end_header\n")).positions.empty());
+  const std::string again = header + "element e199999 0\nend_header\n";
+  expect_contains(input_error([&] { read_ply(write("many.ply", again)); }), "'e199999' is declared twice");
+}
+
 }  // namespace
 }  // namespace lostopos

@@ -185,5 +185,22 @@ TEST(Base64, MalformedIsRefused) {
   EXPECT_EQ(base64_decode(" Zm\n9v\t"), "foo");
 }
 
+// Compared each with each, or their lines counted from the first one on, they would take minutes.
+TEST_F(VtpTest, HundredsOfThousandsOfArraysAreRead) {
+  std::string text = "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"0\">\n<PointData>\n";
+  for (int i = 0; i < 200'000; ++i) text += "<DataArray type=\"Int8\" Name=\"a" + std::to_string(i) + "\"/>\n";
+  const std::string end = "</PointData></Piece></PolyData></VTKFile>";
+  EXPECT_EQ(read_vtp(write("many.vtp", text + end)).vertex_arrays.size(), 200'000U);
+  const std::string again = text + "<DataArray type=\"Int8\" Name=\"a7\"/>\n" + end;
+  expect_contains(input_error([&] { read_vtp(write("many.vtp", again)); }),
+                  "line 200003: array 'a7': the name is taken");
+}
+
+TEST_F(VtpTest, AnElementWithAThousandAttributesIsRefused) {
+  std::string text = "<VTKFile";
+  for (int i = 0; i < 1000; ++i) text += " a" + std::to_string(i) + "=''";
+  expect_contains(input_error([&] { read_vtp(write("many.vtp", text + "/>")); }), "more than 100 attributes");
+}
+
 }  // namespace
 }  // namespace lostopos

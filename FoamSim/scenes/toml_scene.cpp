@@ -11,17 +11,13 @@ namespace foamsim {
 
 namespace {
 
-void read_table(const toml::table& table, const std::string& prefix, const std::string& file,
-                base::OptionSet& options) {
+void read_options(const toml::table& table, const std::string& file, base::OptionSet& options) {
   for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
-    if (prefix.empty() && (name == "scene" || name == "mesh" || name == "wire")) continue;
-    if (const auto* inner = node.as_table()) {
-      read_table(*inner, name + ".", file, options);
-      continue;
-    }
-    const std::string where = toml_place(file, node.source());
-    options.set(name, to_option_value(node, where), where);
+    if (key == "scene" || key == "mesh" || key == "wire") continue;
+    visit_values(node, std::string(key.str()), file, [&](const std::string& name, const toml::node& value) {
+      const std::string where = toml_place(file, value.source());
+      options.set(name, to_option_value(value, where), where);
+    });
   }
 }
 
@@ -123,7 +119,7 @@ Scene start_of(const toml::table& table, const std::string& file, std::shared_pt
 Scene read_toml_scene(const std::string& file, std::shared_ptr<const Catalogue> catalogue) {
   const toml::table table = parse_toml(file, "scene file");
   Scene scene = start_of(table, file, std::move(catalogue));
-  read_table(table, "", file, scene.options);
+  read_options(table, file, scene.options);
   read_wires(table, file, scene.options);
   return scene;
 }

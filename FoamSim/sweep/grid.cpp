@@ -4,11 +4,13 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "Base/error.h"
 #include "Base/names/nearest_name.h"
 #include "FoamSim/scenes/scene.h"
 #include "FoamSim/scenes/toml_values.h"
+#include "FoamSim/sweep/plan.h"
 #include "FoamSim/sweep/stable_hash.h"
 
 namespace foamsim::sweep {
@@ -25,19 +27,12 @@ struct Entry {
 };
 
 // All entries, those of tables within it included, in the order of the file: a toml::table is sorted by key.
-void collect_entries(const toml::table& table, const std::string& prefix, std::vector<Entry>& entries) {
-  for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
-    if (const auto* inner = node.as_table())
-      collect_entries(*inner, name + ".", entries);
-    else
-      entries.push_back({name, &node});
-  }
-}
-
-std::vector<Entry> entries_of(const toml::table& table) {
+std::vector<Entry> entries_of(const toml::table& table, const std::string& file) {
   std::vector<Entry> entries;
-  collect_entries(table, "", entries);
+  for (const auto& [key, node] : table)
+    visit_values(node, std::string(key.str()), file, [&](const std::string& name, const toml::node& value) {
+      entries.push_back({name, &value});
+    });
   std::ranges::stable_sort(entries, [](const Entry& a, const Entry& b) {
     const auto& [x, y] = std::pair(a.node->source().begin, b.node->source().begin);
     return std::pair(x.line, x.column) < std::pair(y.line, y.column);
@@ -75,7 +70,7 @@ class GridReader {
     Scene scene = read_scene();
     read_stop();
     if (const toml::table* options = table_named("options"))
-      for (const Entry& entry : entries_of(*options)) {
+      for (const Entry& entry : entries_of(*options, file_)) {
         const std::string where = place_of(*entry.node);
         grid_.fixed.push_back(entry.key + "=" + accepted_text(scene.options, entry, *entry.node, where));
         scene.options.set(entry.key, to_option_value(*entry.node, where), where);
@@ -84,7 +79,7 @@ class GridReader {
     if (sweep == nullptr || sweep->empty())
       throw base::InputError(file_ +
                              ": a grid needs a table [sweep] with a list of values for each option that varies");
-    for (const Entry& entry : entries_of(*sweep)) grid_.axes.push_back(read_axis(entry, scene.options));
+    for (const Entry& entry : entries_of(*sweep, file_)) grid_.axes.push_back(read_axis(entry, scene.options));
     return std::move(grid_);
   }
 
@@ -149,12 +144,15 @@ class GridReader {
       throw base::InputError(where + ": " + entry.key +
                              " needs a list of values, [a, b]; an option with one value goes into [options]");
     if (list->empty()) throw base::InputError(where + ": the list of " + entry.key + " is empty");
+    if (list->size() > most_runs)
+      throw base::InputError(where + ": " + entry.key + " has " + std::to_string(list->size()) +
+                             " values; a sweep can have " + std::to_string(most_runs) + " runs at most");
     Axis axis{entry.key, {}};
+    std::set<std::string> taken;
     for (const toml::node& item : *list) {
       const std::string place = place_of(item);
       std::string text = accepted_text(options, entry, item, place);
-      if (std::ranges::find(axis.values, text) != axis.values.end())
-        throw base::InputError(value_twice(place, entry.key, text));
+      if (!taken.insert(text).second) throw base::InputError(value_twice(place, entry.key, text));
       axis.values.push_back(std::move(text));
     }
     return axis;

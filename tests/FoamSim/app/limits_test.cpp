@@ -86,6 +86,14 @@ TEST(Sizes, OfTextFilesAreBoundedBeforeTheyAreRead) {
   EXPECT_FALSE(fs::exists(scratch.path() / "run"));
 }
 
+TEST(Sizes, OfMessagesAreBoundedToo) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "scene.toml") << "scene = \"sphere\"\n" << std::string(10'000'000, 'a') << " = 1\n";
+  const ProgramResult result = run_foamsim("run " + (scratch / "scene.toml") + " --out " + (scratch / "run"));
+  expect_one_line(result, "scene.toml:2: unknown option 'aaa");
+  EXPECT_LT(result.error.size(), 5000U);
+}
+
 // What a run comes to on its way: its last whole step stays.
 TEST(Sizes, OfARunThatGrowsAreBoundedWithTheFigure) {
   const ScratchFolder scratch;

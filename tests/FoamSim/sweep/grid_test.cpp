@@ -93,5 +93,16 @@ TEST(ShellWord, IsReadBackAsItWas) {
   EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
 }
 
+TEST(Grid, AnAxisWithMoreValuesThanASweepHasRunsIsRefused) {
+  std::string text = "scene = \"doublebubble\"\n[sweep]\nn = [8";
+  for (std::size_t i = 0; i < most_runs; ++i) text += ",\n8";
+  try {
+    grid_of(text + "]\n");
+    ADD_FAILURE() << "accepted";
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("grid.toml:3: n has 100001 values"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace foamsim::sweep

@@ -43,12 +43,22 @@ double positive(const ReferenceValues& values, std::string_view key) {
   return value;
 }
 
+// How many steps of length dt are nearest to a time; `key`: the line that asks for so many.
+long steps_in(double time, double dt, const ReferenceValues& values, std::string_view key) {
+  constexpr double most = 1e15;
+  const double steps = time / dt;
+  if (!(steps <= most))
+    throw base::InputError(values.where(key) + ": " + std::string(key) + " " + values.text(key) + " makes " +
+                           base::to_text(steps) + " steps; at most " + base::to_text(most) + " are possible");
+  return std::lround(steps);
+}
+
 void set_times(const ReferenceValues& values, const SceneEntry& scene, base::OptionSet& options) {
   const double dt = positive(values, "time-step"), time = positive(values, "simulation-time");
-  long steps = std::lround(time / dt);
+  long steps = steps_in(time, dt, values, "simulation-time");
   if (options.has("period_steps")) {
     const double period = scene.name == "enright" ? EnrightFlow().period() : 2 * std::numbers::pi;
-    values.set("time-step", "period_steps", std::max(1L, std::lround(period / dt)), options);
+    values.set("time-step", "period_steps", std::max(1L, steps_in(period, dt, values, "time-step")), options);
   } else {
     values.set("time-step", "dt", dt, options);
   }

@@ -23,6 +23,15 @@ ReferenceScene read(const std::string& lines, const ScratchFolder& scratch = Scr
   return read_reference_options(scratch / "options.txt");
 }
 
+std::string refusal(const std::string& lines) {
+  try {
+    read(lines);
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
 TEST(TrackerOptionFiles, EveryKeyHasAMeaningOrAReason) {
   std::set<std::string_view> names;
   const base::OptionSet options = options_of(scene_by_name("mcf"));
@@ -69,18 +78,18 @@ TEST(TrackerOptionFiles, TakeTheMeshBesideThem) {
 }
 
 TEST(TrackerOptionFiles, BadInputIsALineWithItsPlace) {
-  const auto refusal = [](const std::string& lines) -> std::string {
-    try {
-      read(lines);
-    } catch (const base::InputError& error) {
-      return error.what();
-    }
-    return "no error";
-  };
   EXPECT_NE(refusal("scene mcf\ntime-stp 1\n").find("options.txt:2: unknown key 'time-stp'"), std::string::npos);
   EXPECT_NE(refusal("scene mfc\n").find("options.txt:1: unknown scene"), std::string::npos);
   EXPECT_NE(refusal("scene mcf\ntime-step 0\n").find("options.txt:2: time-step has to be > 0"), std::string::npos);
   EXPECT_NE(refusal("time-step 1\n").find("needs a line 'scene NAME'"), std::string::npos);
+}
+
+// A long integer does not hold them.
+TEST(TrackerOptionFiles, MoreStepsThanCanBeCountedAreRefused) {
+  for (const char* lines :
+       {"scene mcf\ntime-step 1e-300\nsimulation-time 1\n", "scene mcf\ntime-step 1\nsimulation-time 1e300\n",
+        "scene noise\ntime-step 1\nsimulation-time inf\n", "scene enright\ntime-step 1e-300\nsimulation-time 1e-290\n"})
+    EXPECT_NE(refusal(lines).find("steps; at most 1e+15 are possible"), std::string::npos) << lines;
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ packages=(
   python3-matplotlib
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours
   evolver-nox
-  # style, the second compiler, reference pages
-  clang-format clang-tidy clang doxygen
+  # style, the second compiler and its sanitizers, reference pages
+  clang-format clang-tidy clang libclang-rt-dev doxygen
 )
 
 missing=()

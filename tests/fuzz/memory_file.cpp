@@ -26,11 +26,13 @@ std::filesystem::path MemoryFile::path() const {
   return "/proc/self/fd/" + std::to_string(descriptor_);
 }
 
-void read_file(std::span<const std::uint8_t> bytes, const std::function<void(const std::filesystem::path&)>& read) {
+bool read_file(std::span<const std::uint8_t> bytes, const std::function<void(const std::filesystem::path&)>& read) {
   const MemoryFile file(bytes);
   try {
     read(file.path());
-  } catch (const base::InputError&) {  // NOLINT(bugprone-empty-catch): that is what it may say
+    return true;
+  } catch (const base::InputError&) {
+    return false;
   }
 }
 

@@ -21,11 +21,8 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// Reads a file of these bytes with `read`. An InputError is what a reader may answer; everything else ends the
-/// program.
-void read_file(std::span<const std::uint8_t> bytes, const std::function<void(const std::filesystem::path&)>& read);
+/// Reads a file of these bytes with `read`; false for an InputError, which is what a reader may answer. Other
+/// exceptions pass through.
+bool read_file(std::span<const std::uint8_t> bytes, const std::function<void(const std::filesystem::path&)>& read);
 
 }  // namespace fuzz
-
-/// What libFuzzer calls.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

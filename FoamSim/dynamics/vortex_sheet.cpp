@@ -8,6 +8,7 @@
 #include "FoamSim/sheet/burst_transfer.h"
 #include "FoamSim/sheet/energy.h"
 #include "FoamSim/sheet/region_constants.h"
+#include "FoamSim/sheet/velocity/interaction.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -43,40 +44,33 @@ void VortexSheet::advance(StepScope& scope, std::vector<Vec3>& predicted) {
   scope.report().velocity_evaluations = velocity_.evaluations() - evaluations_before;
 }
 
-// γ of the sheet's triangles and their potential Ψ: K = ½ Σ γ·Ψ, which is right also where films end at a wire.
-VortexSheet::Strengths VortexSheet::strengths(std::span<const Vec3> positions) {
-  Strengths now;
-  fill_vortex_sources(sheet_, positions, now.sources);
-  pairs_->evaluate(now.sources, delta_, PairTerms::potential, now.sums);
-  return now;
-}
-
-double VortexSheet::half_product(const VortexSources& sources, std::span<const Vec3> potential) {
-  double sum = 0;
-  for (std::size_t t = 0; t < sources.size(); ++t)
-    sum += Vec3(sources.gx[t], sources.gy[t], sources.gz[t]).dot(potential[t]) / 2;
-  return sum;
-}
-
-// Drives the air, and notes the potential before it and the change of γ by it.
+// Drives the air, and notes the vortices before it and their change by it.
 VortexSheet::Drive VortexSheet::drive(StepScope& scope) {
   const base::TimedScope timed(scope.report().times, "work");
-  Drive drive{.potential = strengths(scope.positions()).sums.potential};
-  std::vector<SheetTriangle> before = sheet_;
+  Drive drive;
+  fill_vortex_sources(sheet_, scope.positions(), drive.before);
+  std::vector<SheetTriangle> change = sheet_;
   scope.drive_circulation();
   gather_sheet(scope.mesh(), scope.circulation(), sheet_, scope.solid());
   for (std::size_t i = 0; i < sheet_.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) before[i].circulation[k] = sheet_[i].circulation[k] - before[i].circulation[k];
-  fill_vortex_sources(before, scope.positions(), drive.change);
+    for (std::size_t k = 0; k < 3; ++k) change[i].circulation[k] = sheet_[i].circulation[k] - change[i].circulation[k];
+  fill_vortex_sources(change, scope.positions(), drive.change);
   return drive;
 }
 
 // K is quadratic in Γ, so the share of one of several changes goes with the mean of the potentials before and after
-// all.
+// all; the mean of the vortices has it at once.
 double VortexSheet::work_of(const Drive& drive, StepScope& scope) {
   const base::TimedScope timed(scope.report().times, "work");
-  return half_product(drive.change, drive.potential) +
-         half_product(drive.change, strengths(scope.positions()).sums.potential);
+  VortexSources mean;
+  fill_vortex_sources(sheet_, scope.positions(), mean);
+  const auto average = [](VortexSources::Array& after, const VortexSources::Array& before) {
+    for (std::size_t t = 0; t < after.size(); ++t) after[t] = (before[t] + after[t]) / 2;
+  };
+  average(mean.gx, drive.before.gx);
+  average(mean.gy, drive.before.gy);
+  average(mean.gz, drive.before.gz);
+  return interaction(drive.change, mean, delta_, *pairs_);
 }
 
 // Of every region with a mouth: what the velocities let into it in the step.
@@ -102,8 +96,10 @@ void VortexSheet::let_in(StepScope& scope) const {
 
 AirState VortexSheet::air(const EffectStep& step, CirculationField& circulation) {
   gather_sheet(step.mesh, circulation, sheet_, step.solid);
-  const Strengths now = strengths(step.mesh.positions());
-  return {.kinetic_energy = half_product(now.sources, now.sums.potential)};
+  VortexSources sources;
+  fill_vortex_sources(sheet_, step.mesh.positions(), sources);
+  // By the potential, which is right also where films end at a wire.
+  return {.kinetic_energy = interaction(sources, sources, delta_, *pairs_) / 2};
 }
 
 void VortexSheet::before_burst(const EffectStep& step, CirculationField& circulation, Region region) {

@@ -22,17 +22,10 @@ class VortexSheet final : public Dynamics {
   void advance(StepScope& scope, std::vector<lostopos::Vec3>& predicted) override;
 
  private:
-  struct Strengths {
-    VortexSources sources;
-    PairSums sums;
-  };
-  // What drives the air from outside: Ψ before it, and its change of γ.
+  // What drives the air from outside: the vortices before it, and its change of them.
   struct Drive {
-    std::vector<lostopos::Vec3> potential;
-    VortexSources change = {};
+    VortexSources before = {}, change = {};
   };
-  Strengths strengths(std::span<const lostopos::Vec3> positions);
-  static double half_product(const VortexSources& sources, std::span<const lostopos::Vec3> potential);
   Drive drive(StepScope& scope);
   double work_of(const Drive& drive, StepScope& scope);
   // Γ̄ of the sheet's triangles as they are now, without region constants.

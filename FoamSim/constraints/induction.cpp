@@ -100,14 +100,17 @@ Eigen::VectorXd Induction::normal_product(const Eigen::VectorXd& x, double weigh
   return product;
 }
 
-Induction::Solution Induction::solve(const Eigen::VectorXd& b, double weight) const {
+Induction::Solution Induction::solve(const Eigen::VectorXd& b, double weight, const Projection& projection) const {
   constexpr double negligible = 1e-9;
   Solution solution{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_)), 0};
-  Eigen::VectorXd residual = transposed(b), direction = residual;
+  Eigen::VectorXd residual = transposed(b);
+  if (projection) projection(residual);
+  Eigen::VectorXd direction = residual;
   double square = residual.squaredNorm();
   const double enough = negligible * negligible * square;
   for (; square > enough && solution.iterations < most_iterations; ++solution.iterations) {
-    const Eigen::VectorXd product = normal_product(direction, weight);
+    Eigen::VectorXd product = normal_product(direction, weight);
+    if (projection) projection(product);
     const double step = square / direction.dot(product);
     solution.x += step * direction;
     residual -= step * product;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -49,8 +50,11 @@ class Induction {
     long iterations = 0;  ///< `most_iterations`: it was not solved in full
   };
   static constexpr long most_iterations = 400;
-  /// (MᵀM + weight² I)⁻¹ Mᵀ b, by conjugate gradients to nine digits. `weight` > 0.
-  Solution solve(const Eigen::VectorXd& b, double weight) const;
+  /// An orthogonal projection of unknowns, made in place, on the space that they may be in; empty: all of it.
+  using Projection = std::function<void(Eigen::VectorXd&)>;
+  /// The x in that space that makes |M x − b|² + weight² |x|² least, (MᵀM + weight² I)⁻¹ Mᵀ b for all of it, by
+  /// conjugate gradients to nine digits. `weight` > 0.
+  Solution solve(const Eigen::VectorXd& b, double weight, const Projection& projection = {}) const;
 
   /// M x.
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;

@@ -62,8 +62,10 @@ AirChange WireAir::solve(const EffectStep& step, std::span<const std::uint8_t> w
   for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += at[films.inside[i].vertex.index()];
   const Induction induction(targets_of(step, films.inside), film_sources(step, films.inside), films.inside.size(),
                             delta_, step.dt);
+  const ClosedCirculation closed(step, films.inside);
   const Induction::Solution found =
-      induction.solve(missing(step, films.inside, velocity, targets), options_.interior_weight);
+      induction.solve(missing(step, films.inside, velocity, targets), options_.interior_weight,
+                      [&closed](Eigen::VectorXd& change) { closed.project(change); });
   change.iterations = std::max(change.iterations, found.iterations);
   // K is a quadratic form of Γ, and −2 times the flux its derivative.
   const Eigen::VectorXd moved = induction.apply(found.x);
@@ -83,8 +85,7 @@ std::vector<std::uint8_t> WireAir::takes_air(const EffectStep& step, std::span<c
   std::vector<std::uint8_t> takes(wired.size(), 0);
   if (options_.interior)
     for (const HeldFilm& film : films.inside) takes[film.vertex.index()] = 1;
-  if (options_.open_boundary)
-    for (const HeldFilm& film : films.at_open_edges) takes[film.vertex.index()] = 1;
+  for (const HeldFilm& film : films.at_open_edges) takes[film.vertex.index()] = options_.open_boundary ? 1 : 0;
   return takes;
 }
 

@@ -1,6 +1,7 @@
 #include "FoamSim/constraints/wire_films.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -60,6 +61,9 @@ class FilmNormals {
     else
       it->second += normal;
   }
+  bool has(RegionPair pair) const {
+    return std::ranges::find(sums_, pair, &std::pair<RegionPair, Vec3>::first) != sums_.end();
+  }
   void append_to(std::vector<HeldFilm>& films, Vertex v) const {
     for (const auto& [pair, sum] : sums_)
       if (const double length = sum.norm(); length > 0) films.push_back({v, pair, sum / length, length / 6});
@@ -68,6 +72,33 @@ class FilmNormals {
  private:
   std::vector<std::pair<RegionPair, Vec3>> sums_;
 };
+
+// ΔΓ of the films, all of one vertex, by potentials of the regions; those on both sides of another film there, whose Γ
+// stays, have the same.
+Eigen::MatrixXd jumps_of(const EffectStep& step, std::span<const HeldFilm> films) {
+  const SurfaceMesh& mesh = step.mesh;
+  std::map<Region, Region> same;
+  const auto find = [&same](Region r) {
+    for (auto it = same.find(r); it != same.end(); it = same.find(r)) r = it->second;
+    return r;
+  };
+  for (Triangle t : mesh.triangles(films.front().vertex)) {
+    const RegionPair pair(mesh.labels(t));
+    if (is_solid(t, step.solid) || std::ranges::find(films, pair, &HeldFilm::pair) != films.end()) continue;
+    if (const Region low = find(pair.low), high = find(pair.high); low != high) same[high] = low;
+  }
+  std::map<Region, Eigen::Index> columns;
+  for (const HeldFilm& film : films)
+    for (Region r : {film.pair.low, film.pair.high})
+      columns.emplace(find(r), static_cast<Eigen::Index>(columns.size()));
+  Eigen::MatrixXd jumps =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(films.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    jumps(static_cast<Eigen::Index>(i), columns.at(find(films[i].pair.low))) += 1;
+    jumps(static_cast<Eigen::Index>(i), columns.at(find(films[i].pair.high))) -= 1;
+  }
+  return jumps;
+}
 
 }  // namespace
 
@@ -88,11 +119,34 @@ WireFilms::WireFilms(const EffectStep& step, std::span<const std::uint8_t> wired
   }
   for (const auto& [v, normals] : ends) normals.append_to(at_open_edges, v);
   for (Vertex v : mesh.vertices()) {
-    if (wired[v.index()] == 0 || ends.contains(v)) continue;
+    if (wired[v.index()] == 0) continue;
+    const auto ending = ends.find(v);
     FilmNormals normals;
-    for (Triangle t : mesh.triangles(v))
-      if (!is_solid(t, step.solid)) normals.add(RegionPair(mesh.labels(t)), normal_out_of_low(mesh, t));
+    for (Triangle t : mesh.triangles(v)) {
+      const RegionPair pair(mesh.labels(t));
+      if (is_solid(t, step.solid) || (ending != ends.end() && ending->second.has(pair))) continue;
+      normals.add(pair, normal_out_of_low(mesh, t));
+    }
     normals.append_to(inside, v);
+  }
+}
+
+ClosedCirculation::ClosedCirculation(const EffectStep& step, std::span<const HeldFilm> films) {
+  for (std::size_t first = 0, end = 0; first < films.size(); first = end) {
+    while (end < films.size() && films[end].vertex == films[first].vertex) ++end;
+    if (end - first < 2) continue;
+    const std::span<const HeldFilm> here = films.subspan(first, end - first);
+    const Eigen::MatrixXd jumps = jumps_of(step, here);
+    const auto inverse = jumps.completeOrthogonalDecomposition();
+    if (inverse.rank() == jumps.rows()) continue;
+    blocks_.push_back({static_cast<Eigen::Index>(first), jumps * inverse.pseudoInverse()});
+  }
+}
+
+void ClosedCirculation::project(Eigen::VectorXd& change) const {
+  for (const Block& block : blocks_) {
+    auto part = change.segment(block.first, block.projection.rows());
+    part = (block.projection * part).eval();
   }
 }
 

@@ -28,11 +28,28 @@ struct OpenEdge {
 /// go on to both sides.
 struct WireFilms {
   std::vector<OpenEdge> open_edges;
-  std::vector<HeldFilm> at_open_edges;  ///< of every vertex of such an edge, each film of it
-  std::vector<HeldFilm> inside;         ///< of all others
+  std::vector<HeldFilm> at_open_edges;  ///< of every vertex of such an edge, each film that ends there
+  std::vector<HeldFilm> inside;         ///< all others, those of a vertex one behind the other
 
   /// `wired`: by vertex slot, not zero for those that the wires hold. Solid triangles are no films.
   WireFilms(const EffectStep& step, std::span<const std::uint8_t> wired);
+};
+
+/// How Γ at films may change together. Where several meet at a vertex the potential is one number a region, and the
+/// changes of its jumps add up to nothing round every Plateau border: ΔΓ^{pq} = φ^p − φ^q.
+class ClosedCirculation {
+ public:
+  /// Of changes at `films`, those of a vertex one behind the other; at other films of their vertices Γ stays.
+  ClosedCirculation(const EffectStep& step, std::span<const HeldFilm> films);
+  /// Makes of changes, one a film, those of such potentials that are nearest to them.
+  void project(Eigen::VectorXd& change) const;
+
+ private:
+  struct Block {
+    Eigen::Index first;
+    Eigen::MatrixXd projection;
+  };
+  std::vector<Block> blocks_;  // of vertices where not all changes are free
 };
 
 /// The vorticity that circulation at `films`, one unknown each, gives to the triangles around them.

@@ -9,9 +9,8 @@
 #include "Base/error.h"
 #include "FoamSim/constraints/wire.h"
 #include "FoamSim/effects/diffusion.h"
-#include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "tests/FoamSim/constraints/made_wire.h"
+#include "tests/FoamSim/constraints/wired_film.h"
 #include "tests/support/film_parts.h"
 #include "tests/support/sample_meshes.h"
 
@@ -22,41 +21,6 @@ using lostopos::SurfaceMesh;
 using lostopos::Triangle;
 using lostopos::Vec3;
 using lostopos::Vertex;
-
-// A surface at rest in a tracker, with everything that a wire asks for.
-struct Film {
-  explicit Film(SurfaceMesh mesh) : tracker(std::move(mesh), {.resolution = 0.2}), circulation(tracker.mesh()) {
-    geometry.update(tracker.mesh());
-    // Some motion without symmetry.
-    for (Vertex v : tracker.mesh().vertices())
-      for (PairCirculation& held : circulation.at(v)) {
-        const Vec3& x = tracker.mesh().position(v);
-        held.value = std::sin(3 * x.x() + 1) * std::cos(2 * x.y()) + 0.3 * x.z();
-      }
-  }
-  EffectStep step() const { return {tracker.mesh(), geometry, 0, dt, tracker.held().slots(), tracker.solid().slots()}; }
-  SheetAir air() {
-    return {delta, [this](std::span<const Vertex> at, std::span<Vec3> velocity) {
-              std::vector<SheetTriangle> sheet;
-              gather_sheet(tracker.mesh(), circulation, sheet, std::as_const(tracker).solid().slots());
-              std::vector<Vec3> targets;
-              for (Vertex v : at) targets.push_back(tracker.mesh().position(v));
-              SheetVelocity(make_biot_savart("direct"))
-                  .evaluate(sheet, tracker.mesh().positions(), targets, delta, velocity);
-            }};
-  }
-  std::vector<Vec3> velocities() {
-    std::vector<Vertex> all;
-    for (Vertex v : tracker.mesh().vertices()) all.push_back(v);
-    std::vector<Vec3> velocity(all.size());
-    air().velocity(all, velocity);
-    return velocity;
-  }
-
-  lostopos::SurfaceTracker tracker;
-  CirculationField circulation;
-  SurfaceGeometry geometry;
-};
 
 // The normal of a film at a vertex as the method has it, one region pair there.
 Vec3 normal_at(const SurfaceMesh& mesh, Vertex v) {
@@ -93,7 +57,7 @@ Eigen::MatrixXd interior_matrix(const SurfaceMesh& mesh, const std::vector<Verte
 
 TEST(WireInside, SolvesTheRegularisedLeastSquaresOfTheMethod) {
   constexpr double weight = 0.02;
-  Film film(lostopos::test::globe(1, 6));
+  WiredFilm film(lostopos::test::globe(1, 6));
   const Vec3 velocity(0.5, 0.2, -0.4);
   const auto constraint =
       made_wire({"x > -0.3 and x < 0.3 and y > -2: move 0.5 0.2 -0.4"}, {.interior_weight = weight});
@@ -132,7 +96,7 @@ TEST(WireInside, SolvesTheRegularisedLeastSquaresOfTheMethod) {
 // The potential flow around a sphere that moves with speed U: φ = U cos θ R inside, −U cos θ R / 2 outside, so that
 // Γ = ¾ U R cos θ in size.
 TEST(WireInside, TakesTheAirAroundASphereAlong) {
-  Film film(lostopos::test::globe(1, 12));
+  WiredFilm film(lostopos::test::globe(1, 12));
   for (Vertex v : film.tracker.mesh().vertices())
     for (PairCirculation& held : film.circulation.at(v)) held.value = 0;
   const auto constraint = made_wire({"x > -2: move 0 2 0"}, {.interior_weight = 1e-5});
@@ -169,7 +133,7 @@ Chain open_chain(const SurfaceMesh& mesh) {
 
 TEST(WireAtOpenEdges, SolvesForVorticesAlongThem) {
   constexpr double weight = 0.01;
-  Film film(lostopos::test::open_cylinder(1, 14, 4, 0.4));
+  WiredFilm film(lostopos::test::open_cylinder(1, 14, 4, 0.4));
   const auto constraint =
       made_wire({"free-edges: move 0.3 0.5 0.1"}, {.open_boundary = true, .interior_weight = 1, .open_weight = weight});
   constraint->attach(film.tracker);
@@ -212,29 +176,6 @@ TEST(WireAtOpenEdges, SolvesForVorticesAlongThem) {
       expected += strengths[static_cast<Eigen::Index>(k)] * segment(k, mesh.position(v));
     EXPECT_LT((added[v.index()] - expected).norm(), 1e-8 * strengths.norm()) << v.index();
   }
-}
-
-// A border of three films that ends on a wire: every film there is asked to go with it.
-TEST(WireInside, TakesEveryFilmOfAPlateauBorderAlong) {
-  lostopos::TripleJunction junction = lostopos::test::triple_junction({120, 120, 120});
-  const Vertex border = junction.border[3];
-  const double x = junction.mesh.position(border).x();
-  Film film(std::move(junction.mesh));
-  const std::string band = "x > " + std::to_string(x - 0.5) + " and x < " + std::to_string(x + 0.5);
-  const auto constraint = made_wire({band + ": move 0 0.3 0.4"}, {.interior_weight = 1e-4});
-  constraint->attach(film.tracker);
-  ASSERT_EQ(film.circulation.at(border).size(), 3U);
-  const Vec3 velocity(0, 0.3, 0.4);
-  const auto off = [&](const Vec3& u) {
-    double worst = 0;
-    for (const Vec3& along : junction.direction)
-      worst = std::max(worst, std::abs((velocity - u).dot(along.cross(Vec3::UnitX()))));
-    return worst;
-  };
-  const double before = off(film.velocities()[border.index()]);
-  constraint->correct_circulation(film.step(), film.circulation, film.air());
-  EXPECT_GT(before, 0.1);
-  EXPECT_LT(off(film.velocities()[border.index()]), 0.03 * before);
 }
 
 }  // namespace

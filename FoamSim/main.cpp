@@ -1,10 +1,12 @@
 #include "Base/console/program.h"
 #include "Base/console/terminal.h"
+#include "Base/console/termination.h"
 #include "Base/error.h"
 #include "FoamSim/app/run_program.h"
 #include "FoamSim/launch/launch.h"
 
 int main(int argc, char** argv) {
+  base::report_terminations();
   std::unique_ptr<foamsim::Launch> launch;
   try {
     launch = foamsim::launch(argc, argv);

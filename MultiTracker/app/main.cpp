@@ -1,9 +1,11 @@
 #include "Base/console/generate_command.h"
+#include "Base/console/termination.h"
 #include "MultiTracker/app/commands.h"
 #include "MultiTracker/app/manual.h"
 
 int main(int argc, char** argv) {
   using namespace multitracker;
+  base::report_terminations();
   app::Program program;
   program.name = base::program_name(argc, argv, "multitracker");
   program.command_line = base::command_text(program.name, argc, argv);

@@ -7,7 +7,7 @@
 
 #include "Base/timing/stopwatch.h"
 #include "program.h"
-#include "tables.h"
+#include "same_run.h"
 
 namespace foamsim::test {
 namespace {
@@ -18,25 +18,6 @@ namespace fs = std::filesystem;
 std::string command_after_kill(const std::string& scene, const std::string& folder) {
   if (fs::exists(folder + "/checkpoint.cbor")) return "run --resume " + folder + " --steps 60 --quiet";
   return scene + " --quiet --force --out " + folder;
-}
-
-void expect_same_files(const fs::path& one, const fs::path& other) {
-  std::vector<fs::path> names;
-  for (const fs::path& folder : {one, other})
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder));
-  for (const fs::path& name : names) {
-    ASSERT_TRUE(fs::exists(one / name) && fs::exists(other / name)) << name;
-    const std::string a = read_file(one / name), b = read_file(other / name);
-    if (name == "run.json") {
-      for (const char* key : {"ended", "last_step", "time", "options", "last_frame"})
-        EXPECT_EQ(nlohmann::json::parse(a)[key], nlohmann::json::parse(b)[key]) << key;
-    } else if (name == "metrics.csv") {
-      EXPECT_EQ(without_seconds(a), without_seconds(b));
-    } else if (name != "checkpoint.cbor") {  // which holds seconds, too
-      EXPECT_TRUE(a == b) << name;
-    }
-  }
 }
 
 TEST(KilledRun, GoesOnToTheSameBitsAndLeavesNothingBehind) {

@@ -6,13 +6,14 @@
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/scene_arguments.h"
 #include "FoamSim/app/session.h"
+#include "FoamSim/sheet/velocity/direct_kernel.h"
 
 namespace foamsim::app {
 namespace {
 
 struct RunArguments {
   SceneArguments scene;
-  std::string resume;
+  std::string resume, simd;
 };
 
 void print_summary(const RunOutcome& outcome) {
@@ -85,6 +86,7 @@ std::string command_to_go_on(const Program& program, const SceneArguments& given
 
 int run(const RunArguments& arguments, const Program& program) {
   const SceneArguments& given = arguments.scene;
+  if (!arguments.simd.empty()) use_simd_target(arguments.simd);
   if (given.scene.empty() && arguments.resume.empty())
     throw base::InputError("run needs a scene (see 'foamsim scenes') or --resume FILE");
   const base::Ranks& ranks = *program.catalogue->sheet.ranks;
@@ -129,6 +131,9 @@ void add_run_command(base::Command& root, const Program& program) {
                .target = &arguments->resume,
                .help = "go on from this checkpoint.cbor",
                .offers = base::Argument::Offers::files});
+  command.add({.name = "--simd",
+               .target = &arguments->simd,
+               .help = "instruction set of the sums; the best that the machine has unless given"});
   command.set_action([arguments, &program] { return run(*arguments, program); });
 }
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "Base/error.h"
+
 // Highway compiles the part between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "FoamSim/sheet/velocity/direct_kernel.cpp"
@@ -111,6 +113,25 @@ HWY_EXPORT(target_name);
 void sum_biot_savart(const VortexSources& sources, std::span<const lostopos::Vec3> targets, double delta,
                      std::span<lostopos::Vec3> out) {
   HWY_DYNAMIC_DISPATCH(sum)(sources, targets, delta, out);
+}
+
+std::vector<std::string> simd_targets() {
+  std::vector<std::string> names;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.emplace_back(hwy::TargetName(target));
+  return names;
+}
+
+void use_simd_target(std::string_view name) {
+  std::string offered;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    if (name == hwy::TargetName(target)) {
+      hwy::SetSupportedTargetsForTest(target);
+      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+      return;
+    }
+    offered += (offered.empty() ? "" : ", ") + std::string(hwy::TargetName(target));
+  }
+  throw base::InputError("there is no instruction set '" + std::string(name) + "' on this machine; it has " + offered);
 }
 
 const char* biot_savart_simd_target() {

@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <numeric>
 #include <sstream>
+#include <vector>
 
+#include "Base/parallel/for_each.h"
 #include "LosTopos/geometry/distance.h"
 #include "tests/support/ccd_oracle.h"
 
@@ -121,9 +123,10 @@ void print(Shape shape, bool adversarial, const CheckResult& r) {
       r.largest_gap);
 }
 
-}  // namespace
+// Queries that share a generator.
+constexpr long part = 1L << 15U;
 
-CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed) {
+CheckResult check_part(Shape shape, bool adversarial, long count, std::uint64_t seed) {
   QueryGenerator generator(seed);
   CheckResult result;
   for (long i = 0; i < count; ++i) {
@@ -135,6 +138,33 @@ CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std:
     const long failures = result.missed + result.late + result.order_dependent + result.malformed;
     if (failures > 0 && result.first_failure.empty()) result.first_failure = text_of(query);
   }
+  return result;
+}
+
+void add(const CheckResult& some, CheckResult& all) {
+  all.queries += some.queries;
+  all.exact_hits += some.exact_hits;
+  all.missed += some.missed;
+  all.false_hits += some.false_hits;
+  all.late += some.late;
+  all.order_dependent += some.order_dependent;
+  all.malformed += some.malformed;
+  all.early += some.early;
+  all.largest_gap = std::max(all.largest_gap, some.largest_gap);
+  if (all.first_failure.empty()) all.first_failure = some.first_failure;
+}
+
+}  // namespace
+
+CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed) {
+  std::vector<CheckResult> parts(static_cast<std::size_t>((count + part - 1) / part));
+  base::parallel_for_each(parts.size(), 1, [&](std::size_t i) {
+    constexpr std::uint64_t apart = 1000;  // seeds of sets are smaller
+    const long queries = std::min(part, count - static_cast<long>(i) * part);
+    parts[i] = check_part(shape, adversarial, queries, seed + apart * i);
+  });
+  CheckResult result;
+  for (const CheckResult& some : parts) add(some, result);
   print(shape, adversarial, result);
   return result;
 }

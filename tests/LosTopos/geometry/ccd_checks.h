@@ -22,7 +22,8 @@ struct CheckResult {
   double false_hit_rate() const { return static_cast<double>(false_hits) / static_cast<double>(queries); }
 };
 
-/// Runs `count` queries of one set through the library and the oracle. Prints the counts.
+/// Runs `count` queries of one set through the library and the oracle, on all threads: the same queries for any number
+/// of them. Prints the counts.
 CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed);
 
 }  // namespace lostopos::test

@@ -6,9 +6,9 @@
 namespace lostopos::test {
 namespace {
 
-constexpr std::array<std::string_view, 10> family_names = {
-    "on a grid", "coplanar", "near contact",    "grazing", "shared coordinates",
-    "collapsed", "scaled",   "far from origin", "fast",    "rigid neighbours"};
+constexpr std::array<std::string_view, 12> family_names = {
+    "on a grid", "coplanar", "near contact",    "grazing", "shared coordinates", "denormal",
+    "collapsed", "scaled",   "far from origin", "fast",    "rigid neighbours",   "huge"};
 
 Vec3 at(const Trajectory& p, double t) {
   return (1 - t) * p.start + t * p.end;
@@ -66,15 +66,19 @@ Query QueryGenerator::adversarial(Shape shape) {
     case 4:
       return with_shared_coordinates();
     case 5:
-      return collapsed();
+      return of_size(shape, integer(-1073, -1030));
     case 6:
-      return scaled(shape);
+      return collapsed();
     case 7:
-      return far_from_origin(shape);
+      return scaled(shape);
     case 8:
+      return far_from_origin(shape);
+    case 9:
       return fast(shape);
-    default:
+    case 10:
       return rigid_neighbours(shape);
+    default:
+      return of_size(shape, integer(1000, 1021));
   }
 }
 
@@ -198,6 +202,17 @@ Query QueryGenerator::collapsed() {
     for (Trajectory& p : q) p.start.x() = p.end.x() = 0;
   }
   if (integer(0, 1) == 0) jitter(q, tiny());
+  return q;
+}
+
+// Near contact at 2^exponent: of denormals with few bits, or up to the overflow of differences.
+Query QueryGenerator::of_size(Shape shape, int exponent) {
+  Query q = near_contact(shape);
+  for (Trajectory& p : q) {
+    for (Vec3* x : {&p.start, &p.end}) {
+      for (int i = 0; i < 3; ++i) (*x)[i] = std::ldexp((*x)[i], exponent);
+    }
+  }
   return q;
 }
 

@@ -44,6 +44,7 @@ class QueryGenerator {
   Query grazing(Shape shape);
   Query with_shared_coordinates();
   Query collapsed();
+  Query of_size(Shape shape, int exponent);
   Query scaled(Shape shape);
   Query far_from_origin(Shape shape);
   Query fast(Shape shape);

@@ -57,6 +57,32 @@ double enclosed(const SurfaceMesh& mesh, std::span<const Triangle> boundary, Reg
 
 }  // namespace
 
+RegionShape region_shape(const SurfaceMesh& mesh, Region region) {
+  RegionShape shape;
+  PartWalk walk(mesh);
+  std::vector<Triangle> boundary;
+  std::vector<char> of_piece(mesh.triangle_slots(), 0);
+  for (Triangle t : mesh.triangles()) {
+    if (!mesh.labels(t).has(region) || !walk.is_new(t, region)) continue;
+    const Box box = walk.collect(t, region, boundary);
+    const bool is_pocket = enclosed(mesh, boundary, region, 0.5 * (box.low + box.high)) > 0;
+    ++(is_pocket ? shape.pockets : shape.pieces);
+    if (is_pocket) shape.largest_pocket = std::max(shape.largest_pocket, (box.high - box.low).norm());
+    if (!is_pocket)
+      for (Triangle u : boundary) of_piece[u.index()] = 1;
+  }
+  const auto bounds = [&](const auto& list) {
+    return std::ranges::any_of(list, [&](Triangle t) { return of_piece[t.index()] != 0; });
+  };
+  std::ptrdiff_t characteristic = std::ranges::count(of_piece, 1);
+  for (Edge e : mesh.edges())
+    if (bounds(mesh.triangles(e))) --characteristic;
+  for (Vertex v : mesh.vertices())
+    if (bounds(mesh.triangles(v))) ++characteristic;
+  shape.tunnels = static_cast<double>(shape.pieces) - 0.5 * static_cast<double>(characteristic);
+  return shape;
+}
+
 std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double largest) {
   std::vector<RegionPart> parts;
   PartWalk walk(mesh);

@@ -18,4 +18,16 @@ struct RegionPart {
 /// boundary that share an edge are one part.
 std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double largest);
 
+/// What the boundary of a region looks like as a whole. Pieces of it that share an edge are one.
+struct RegionShape {
+  std::size_t pieces = 0;     ///< of the boundary that do not have the region inside
+  std::size_t pockets = 0;    ///< pieces that have
+  double largest_pocket = 0;  ///< the longest diagonal of a pocket's box, L
+  /// Through the pieces, where they touch themselves included: their genus, where they are surfaces; with a sign, since
+  /// touching in a vertex makes half a tunnel, and in an edge may take one away.
+  double tunnels = 0;
+};
+/// Costs a walk over the mesh.
+RegionShape region_shape(const SurfaceMesh& mesh, Region region);
+
 }  // namespace lostopos

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "LosTopos/mesh/air_side.h"
+#include "LosTopos/topology/region_parts.h"
 
 namespace multitracker {
 
@@ -22,6 +23,10 @@ Metrics measure(const SurfaceMesh& mesh, const lostopos::TrackerStep& step,
   m.shared_area = areas.shared;
   m.air_area = areas.air_side;
   m.junction_edges = lostopos::junction_edge_count(mesh);
+  const lostopos::RegionShape air = lostopos::region_shape(mesh, lostopos::air);
+  m.air_pockets = air.pockets;
+  m.air_tunnels = air.tunnels;
+  m.air_closed = air.pieces == 1 && air.tunnels == 0 && air.largest_pocket < lostopos::mean_edge_length(mesh);
   m.volume_drift_max =
       start_volumes.empty() ? 0 : lostopos::largest_volume_drift(lostopos::region_volumes(mesh), start_volumes);
   m.motion_fraction = step.move.fraction;

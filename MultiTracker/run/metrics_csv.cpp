@@ -20,6 +20,8 @@ constexpr std::array columns{
     Column{"shared_area", [](const Metrics& m) { return cell_text(m.shared_area); }},
     Column{"air_area", [](const Metrics& m) { return cell_text(m.air_area); }},
     Column{"junction_edges", [](const Metrics& m) { return cell_text(m.junction_edges); }},
+    Column{"air_pockets", [](const Metrics& m) { return cell_text(m.air_pockets); }},
+    Column{"air_tunnels", [](const Metrics& m) { return cell_text(m.air_tunnels); }},
     Column{"volume_drift_max", [](const Metrics& m) { return cell_text(m.volume_drift_max); }},
     Column{"motion_fraction", [](const Metrics& m) { return cell_text(m.motion_fraction); }},
     Column{"snap_count", [](const Metrics& m) { return cell_text(m.snaps); }},

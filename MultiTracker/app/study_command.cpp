@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "Base/console/interrupt_guard.h"
 #include "Base/console/progress.h"
-#include "Base/io/csv_table.h"
+#include "Base/console/thread_limit.h"
+#include "Base/error.h"
 #include "MultiTracker/app/commands.h"
 #include "MultiTracker/scenes/scene.h"
 #include "MultiTracker/study/robustness.h"
@@ -15,6 +18,8 @@ namespace {
 struct Arguments {
   RobustnessOptions options;
   std::string out;
+  std::optional<double> motion;
+  long workers = 1, threads = 0;
   bool quiet = false;
 };
 
@@ -25,27 +30,49 @@ void print(const std::vector<RobustnessSummary>& summaries) {
                 s.cpu_seconds, s.peak_megabytes);
 }
 
+RobustnessOptions options_of(const Arguments& arguments) {
+  constexpr double most_motion_until_closed = 20;  // mean edges; some may never close
+  RobustnessOptions options = arguments.options;
+  if (options.until_closed) options.total_motion = most_motion_until_closed;
+  if (arguments.motion) options.total_motion = *arguments.motion;
+  constexpr long most_workers = 4096;
+  if (arguments.workers < 1 || arguments.workers > most_workers)
+    throw base::InputError("--workers has to be a whole number from 1 to " + std::to_string(most_workers));
+  if (arguments.threads < 0) throw base::InputError("--threads has to be a whole number >= 0");
+  options.workers = static_cast<int>(arguments.workers);
+  options.folder = arguments.out;
+  check(options);
+  return options;
+}
+
+// Of each run; by default the workers share out the cores.
+int threads_of(const Arguments& arguments) {
+  if (arguments.threads > 0 || arguments.workers == 1) return static_cast<int>(arguments.threads);
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / arguments.workers));
+}
+
 int study(const Arguments& arguments) {
-  check(arguments.options);  // Before the table of an earlier study is replaced.
-  std::optional<base::CsvTable> table;
-  if (!arguments.out.empty()) table.emplace(arguments.out, robustness_csv_header());
+  const RobustnessOptions options = options_of(arguments);
+  const base::ThreadLimit limit(threads_of(arguments));
   const base::InterruptGuard guard;
   std::vector<RobustnessRun> runs;
   {
     base::Progress progress("robustness", arguments.quiet);
     long count = 0;
-    runs = run_robustness(arguments.options, {[&](const RobustnessRun& run, double fraction) {
-                                                if (table) table->add(robustness_csv_row(run));
-                                                progress.show(++count, static_cast<double>(run.spheres), fraction);
-                                              },
-                                              [] { return base::InterruptGuard::interrupted(); }});
+    runs = run_robustness(options, {[&](const RobustnessRun& run, double fraction) {
+                                      progress.show(++count, static_cast<double>(run.key.spheres), fraction);
+                                    },
+                                    [] { return base::InterruptGuard::interrupted(); }});
   }
   for (const RobustnessRun& run : runs)
-    if (!run.success)
-      std::printf("failed: %ld spheres, step %g L, seed %ld: %s\n", run.spheres, run.step, run.seed,
-                  run.message.c_str());
+    if (!run.success())
+      std::printf("%s: %ld spheres, step %g L, seed %ld: %s\n", name(run.verdict), run.key.spheres, run.key.step,
+                  run.key.seed, run.message.c_str());
   print(summarise(runs));
-  if (table) std::printf("runs in %s\n", arguments.out.c_str());
+  if (!arguments.out.empty()) {
+    const bool stopped = base::InterruptGuard::interrupted();
+    std::printf("table and runs in %s%s\n", arguments.out.c_str(), stopped ? "; the same command goes on" : "");
+  }
   return base::InterruptGuard::interrupted() ? base::InterruptGuard::exit_code() : exit_done;
 }
 
@@ -62,7 +89,13 @@ void add_study_command(base::Command& root, const Program&) {
                .target = &a->options.steps,
                .help = "lengths of a step, in mean edges, separated by commas"});
   command.add({.name = "--seeds", .target = &a->options.seeds, .help = "runs of each kind"});
-  command.add({.name = "--motion", .target = &a->options.total_motion, .help = "total motion, in mean edges"});
+  command.add({.name = "--motion",
+               .target = &a->motion,
+               .help = "total motion, in mean edges (default: 5.5; at most 20 with --until-closed)"});
+  command.add(
+      {.name = "--until-closed",
+       .target = &a->options.until_closed,
+       .help = "end a run as soon as no gap or pocket of air is left between the spheres; failed without that"});
   command.add(
       {.name = "--layout", .target = &a->options.layout, .help = "grid or random", .names = {"grid", "random"}});
   command.add({.name = "--set",
@@ -73,10 +106,18 @@ void add_study_command(base::Command& root, const Program&) {
   command.add({.name = "--time-limit",
                .target = &a->options.time_limit,
                .help = "of a run, in seconds; longer ones count as failures"});
+  command.add({.name = "--workers", .target = &a->workers, .help = "runs at a time, each in a process of its own"});
+  command.add({.name = "--threads",
+               .target = &a->threads,
+               .help = "of each run; 0: all cores, or the workers' shares of them; results do not depend on it"});
   command.add({.name = "--audit",
                .target = &a->options.audit_every_step,
                .help = "audit after every step, not only at the end"});
-  command.add({.name = "--out", .target = &a->out, .help = "CSV file, a row a run", .offers = Argument::Offers::files});
+  command.add(
+      {.name = "--out",
+       .target = &a->out,
+       .help = "folder for table.csv, a row a run, and checkpoints; the same command goes on where it was stopped",
+       .offers = Argument::Offers::folders});
   command.add({.name = "--quiet", .target = &a->quiet, .help = "show no progress"});
   command.set_action([a] { return study(*a); });
 }

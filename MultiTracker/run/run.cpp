@@ -40,6 +40,7 @@ RunOutcome run(Tracking& tracking, long last_step, const RunSettings& settings, 
   lostopos::run::require_countable(static_cast<double>(last_step), tracking.dt());
   lostopos::run::Plan plan{.last_step = last_step};
   if (settings.audit) plan.defect = [&tracking] { return defect_of(tracking); };
+  if (hooks.done) plan.stop = [&] { return hooks.done(tracking.metrics()); };
   lostopos::run::Hooks own{.stepped = {}, .interrupted = hooks.interrupted};
   if (hooks.progress) own.stepped = [&](double fraction) { hooks.progress(tracking.metrics(), fraction); };
   lostopos::run::Outcome done = lostopos::run::run_motion(tracking, plan, output_of(tracking, settings), own);

@@ -26,6 +26,7 @@ struct RunSettings {
 struct RunHooks {
   std::function<void(const Metrics&, double fraction)> progress;
   std::function<bool()> interrupted;
+  std::function<bool(const Metrics&)> done = {};  ///< asked after every step: whether the run has what it was made for
 };
 
 using RunEnd = lostopos::run::End;

@@ -18,8 +18,8 @@ RobustnessOptions options_of_study() {
 
 void expect_all_succeed(const RobustnessOptions& options) {
   for (const RobustnessRun& run : run_robustness(options))
-    EXPECT_TRUE(run.success) << run.spheres << " spheres, step " << run.step << " L, seed " << run.seed << ": "
-                             << run.message;
+    EXPECT_TRUE(run.success()) << run.key.spheres << " spheres, step " << run.key.step << " L, seed " << run.key.seed
+                               << ": " << run.message;
 }
 
 class AllSucceed : public testing::TestWithParam<std::tuple<const char*, long>> {};

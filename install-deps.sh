@@ -12,6 +12,8 @@ packages=(
   libopenmpi-dev openmpi-bin
   # tests and benchmarks
   libgtest-dev librapidcheck-dev libbenchmark-dev
+  # import foamsim, and its tests
+  pybind11-dev python3-dev python3-numpy python3-pytest
   # plots
   python3-matplotlib
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours

@@ -87,7 +87,7 @@ class SourceTree : public ::testing::Test {
   static fs::path root() { return FOAMSIM_SOURCE_DIR; }
   static std::vector<std::string> sources() {
     std::vector<std::string> files;
-    for (const char* folder : {"Base", "LosTopos", "MultiTracker", "FoamSim"})
+    for (const char* folder : {"Base", "LosTopos", "MultiTracker", "FoamSim", "Python"})
       for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root() / folder))
         if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
           files.push_back(entry.path().lexically_relative(root()).generic_string());

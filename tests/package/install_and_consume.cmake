@@ -27,6 +27,13 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${SCRATCH}/build -DCMAKE_PREFIX_PATH=${SCRA
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/prefix/bin/foamsim scenes)
 
+# The Python package, where it was built.
+file(GLOB package ${SCRATCH}/prefix/lib/python3*/dist-packages)
+if(package)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${package} /usr/bin/python3 -B -c
+      "import foamsim; foamsim.Simulation('doublebubble', n=8).step()")
+endif()
+
 # Its own names, from a scene file and the command line.
 set(consumer ${SCRATCH}/build/consumer)
 set(scene ${SOURCE}/pebble.toml)

@@ -1,6 +1,9 @@
 #include "Python/bindings/arrays.h"
 
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <vector>
 
 #include "Base/error.h"
 
@@ -12,9 +15,9 @@ namespace {
 
 template <class T, class Row>
 py::array rows_of(std::span<const Row> values, std::size_t columns) {
-  static_assert(sizeof(Row) % sizeof(T) == 0);
   py::array_t<T> array({values.size(), columns});
-  if (!values.empty()) std::memcpy(array.mutable_data(), values.data(), values.size_bytes());
+  T* out = array.mutable_data();
+  for (const Row& row : values) out = std::copy_n(std::begin(row), columns, out);
   return array;
 }
 
@@ -23,7 +26,7 @@ using Dense = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
 template <class T>
 Dense<T> table(const py::handle& given, std::size_t columns, std::string_view what) {
-  const Dense<T> array = Dense<T>::ensure(given);
+  Dense<T> array = Dense<T>::ensure(given);
   if (!array) {
     PyErr_Clear();
     throw base::InputError(std::string(what) + ": not an array of numbers");
@@ -51,7 +54,10 @@ py::array corners(std::span<const std::array<std::uint32_t, 3>> triangles) {
 }
 
 py::array label_pairs(std::span<const lostopos::Labels> labels) {
-  return rows_of<std::uint32_t>(labels, 2);
+  std::vector<std::array<std::uint32_t, 2>> rows;
+  rows.reserve(labels.size());
+  for (const lostopos::Labels& each : labels) rows.push_back({each.p.index(), each.q.index()});
+  return rows_of<std::uint32_t>(std::span<const std::array<std::uint32_t, 2>>(rows), 2);
 }
 
 std::vector<lostopos::Vec3> to_vectors(const py::handle& array, std::string_view what,

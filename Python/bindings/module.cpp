@@ -9,6 +9,7 @@ void bind_errors(pybind11::module_& module) {
   // The last one registered is asked first.
   py::register_exception<base::Error>(module, "Error", PyExc_RuntimeError);
   py::register_exception<base::InputError>(module, "InputError", PyExc_ValueError);
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 takes a function of this type.
   py::register_exception_translator([](std::exception_ptr error) {
     try {
       if (error) std::rethrow_exception(error);

@@ -88,6 +88,7 @@ TEST(Sizes, OfTextFilesAreBoundedBeforeTheyAreRead) {
 
 TEST(Sizes, OfMessagesAreBoundedToo) {
   const ScratchFolder scratch;
+  // NOLINTNEXTLINE(bugprone-string-constructor): it is meant to be long.
   std::ofstream(scratch / "scene.toml") << "scene = \"sphere\"\n" << std::string(10'000'000, 'a') << " = 1\n";
   const ProgramResult result = run_foamsim("run " + (scratch / "scene.toml") + " --out " + (scratch / "run"));
   expect_one_line(result, "scene.toml:2: unknown option 'aaa");

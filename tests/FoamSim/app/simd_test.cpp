@@ -19,7 +19,7 @@ TEST(Simd, OfEveryKindGivesTheSameBits) {
   ASSERT_EQ(run_foamsim(run + (scratch / "best")).exit_code, 0);
   for (const std::string& target : simd_targets()) {
     SCOPED_TRACE(target);
-    const auto result = run_foamsim(run + (scratch / target) + " --simd " + target);
+    const auto result = run_foamsim(std::string(run).append(scratch / target).append(" --simd ").append(target));
     ASSERT_EQ(result.exit_code, 0) << result.error;
     expect_same_files(scratch / "best", scratch / target);
   }

@@ -78,6 +78,7 @@ int counted_main(int argc, char** argv, char** environment) {
 // Names and signatures are the C library's.
 extern "C" {
 
+// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
 int __libc_start_main(Main main, int argc, char** argv, void (*begin)(), void (*end)(), void (*unload)(), void* stack) {
   faults.main = main;
   using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);

@@ -43,7 +43,7 @@ std::vector<long> chosen(long count) {
   const long spread = std::min(trials, count);
   for (long i = 0; i < spread; ++i) places.push_back(1 + i * count / spread);
   std::ranges::sort(places);
-  places.erase(std::ranges::unique(places).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 

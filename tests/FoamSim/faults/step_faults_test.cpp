@@ -46,6 +46,7 @@ Result run(const std::vector<std::string>& words, long fails_at, Thrown thrown) 
   std::vector<std::string> arguments{"foamsim", "run", "--quiet", "--steps", "6"};
   arguments.insert(arguments.end(), words.begin(), words.end());
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& word : arguments) argv.push_back(word.data());
   argv.push_back(nullptr);
   testing::internal::CaptureStderr();

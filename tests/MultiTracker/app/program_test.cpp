@@ -22,14 +22,14 @@ ProgramResult run_multitracker(const std::string& arguments, const std::string& 
   return ::test::run_program(MULTITRACKER_PROGRAM, arguments, before);
 }
 
-class BadInput : public testing::TestWithParam<BadCase> {};
+class TrackersBadInput : public testing::TestWithParam<BadCase> {};
 
-TEST_P(BadInput, IsOneLineThatHelpsAndLeavesNothing) {
+TEST_P(TrackersBadInput, IsOneLineThatHelpsAndLeavesNothing) {
   ::test::expect_refused(MULTITRACKER_PROGRAM, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Run, BadInput,
+    Run, TrackersBadInput,
     testing::Values(BadCase{"unknown_scene", "run enrigth", {"unknown scene 'enrigth'", "did you mean 'enright'"}},
                     BadCase{"unknown_option", "run T1 --set gapp=0.1", {"gapp", "did you mean 'gap'"}},
                     BadCase{"option_out_of_range", "run T1 --set gap=5", {"gap has to be at most"}},
@@ -86,7 +86,7 @@ TEST(OptionFile, RunsWithTheMeshBesideItMendedAndAudited) {
   EXPECT_TRUE(fs::exists(scratch.path() / "run/rec/mesh000005.rec"));
 }
 
-TEST(BadInput, AFullFolderIsKeptUnlessForced) {
+TEST(TrackersBadInput, AFullFolderIsKeptUnlessForced) {
   const ScratchFolder scratch;
   const std::string command = "run T1 --steps 2 --quiet --out " + (scratch / "run");
   ASSERT_EQ(run_multitracker(command).exit_code, 0);
@@ -96,14 +96,14 @@ TEST(BadInput, AFullFolderIsKeptUnlessForced) {
   EXPECT_EQ(run_multitracker(command + " --force").exit_code, 0);
 }
 
-TEST(BadInput, AMistypedStudyKeepsTheTableOfTheLast) {
+TEST(TrackersBadInput, AMistypedStudyKeepsTheTableOfTheLast) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "table.csv") << "of last night\n";
   EXPECT_EQ(run_multitracker("study robustness --seeds 0 --out " + (scratch / "table.csv")).exit_code, 2);
   EXPECT_EQ(read_file(scratch / "table.csv"), "of last night\n");
 }
 
-TEST(BadInput, AMeshWhoseSurfaceIsDamagedIsRefused) {
+TEST(TrackersBadInput, AMeshWhoseSurfaceIsDamagedIsRefused) {
   const ScratchFolder scratch;
   std::ofstream(scratch / "cut.ply") << "ply\nformat ascii 1.0\nelement vertex 3\n";
   const ProgramResult result = run_multitracker("run enright --mesh " + (scratch / "cut.ply"));
@@ -111,7 +111,7 @@ TEST(BadInput, AMeshWhoseSurfaceIsDamagedIsRefused) {
   EXPECT_NE(result.error.find("line 4"), std::string::npos) << result.error;
 }
 
-TEST(FullDisk, EndsTheRunWithAMessage) {
+TEST(TrackersFullDisk, EndsTheRunWithAMessage) {
   const ScratchFolder scratch;
   const ProgramResult result =
       run_multitracker("run enright --steps 5 --quiet --out " + (scratch / "run"), "ulimit -f 20;");
@@ -190,7 +190,7 @@ TEST(Interrupted, ExitCodeTellsTheSignal) {
               code);
 }
 
-TEST(FullDisk, BehindStdoutIsAnError) {
+TEST(TrackersFullDisk, BehindStdoutIsAnError) {
   const ProgramResult result = ::test::run_program("sh -c '" MULTITRACKER_PROGRAM, "scenes >/dev/full'");
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_NE(result.error.find("cannot write the output"), std::string::npos) << result.error;

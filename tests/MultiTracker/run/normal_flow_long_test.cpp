@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <iostream>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "MultiTracker/study/robustness.h"
 
@@ -22,7 +25,7 @@ void expect_all_succeed(const RobustnessOptions& options) {
                                << ": " << run.message;
 }
 
-class AllSucceed : public testing::TestWithParam<std::tuple<const char*, long>> {};
+class AllSucceed : public testing::TestWithParam<std::tuple<std::string, long>> {};
 
 TEST_P(AllSucceed, ForTenSeeds) {
   RobustnessOptions options = options_of_study();
@@ -34,7 +37,11 @@ TEST_P(AllSucceed, ForTenSeeds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(NormalFlow, AllSucceed,
-                         testing::Combine(testing::Values("grid", "random"), testing::Values(8L, 27L, 64L, 125L)));
+                         testing::Combine(testing::Values<std::string>("grid", "random"),
+                                          testing::Values(8L, 27L, 64L, 125L)),
+                         [](const auto& row) {
+                           return std::get<0>(row.param) + "_" + std::to_string(std::get<1>(row.param));
+                         });
 
 class SharesAsMuchArea : public testing::TestWithParam<std::pair<long, long>> {};
 
@@ -55,7 +62,8 @@ TEST_P(SharesAsMuchArea, WhateverTheStep) {
 
 // Spheres and seeds.
 INSTANTIATE_TEST_SUITE_P(NormalFlow, SharesAsMuchArea,
-                         testing::Values(std::pair(8L, 10L), std::pair(27L, 3L), std::pair(64L, 1L)));
+                         testing::Values(std::pair(8L, 10L), std::pair(27L, 3L), std::pair(64L, 1L)),
+                         [](const auto& row) { return std::to_string(row.param.first); });
 
 }  // namespace
 }  // namespace multitracker

@@ -20,6 +20,10 @@ packages=(
   evolver-nox
   # style, the second compiler and its sanitizers, reference pages
   clang-format clang-tidy clang libclang-rt-dev doxygen
+  # the documentation as a site
+  mkdocs mkdocs-material
+  # Debian packages, and a system to try them in
+  dpkg-dev mmdebstrap
 )
 
 missing=()

@@ -94,9 +94,9 @@ function(foamsim_add_manual target name)
                      COMMAND ${target} generate zsh > ${folder}/zsh/_${name}
                      DEPENDS ${target} COMMENT "Manual page and completion scripts of ${name}" VERBATIM)
   add_custom_target(${name}_manual ALL DEPENDS ${files})
-  install(FILES ${folder}/${name}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-  install(FILES ${folder}/bash/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  install(FILES ${folder}/zsh/_${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${folder}/${name}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+  install(FILES ${folder}/bash/${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
+  install(FILES ${folder}/zsh/_${name} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT programs)
 endfunction()
 
 foamsim_precompile_headers(

@@ -36,6 +36,16 @@ std::string progress_line(const std::string& label, const std::string& detail, d
          std::string(static_cast<std::size_t>(columns - done), '.') + "] " + detail + left;
 }
 
+double TimeLeft::estimate(double fraction, double seconds) {
+  if (fraction < last_fraction_) {
+    first_fraction_ = fraction;
+    first_seconds_ = seconds;
+  }
+  last_fraction_ = fraction;
+  if (fraction <= first_fraction_) return -1;
+  return (seconds - first_seconds_) * (1 - fraction) / (fraction - first_fraction_);
+}
+
 Progress::Progress(std::string label, bool quiet)
     : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -56,11 +66,10 @@ void Progress::show(long step, double time, double fraction) {
 
 void Progress::show(const std::string& detail, double fraction) {
   if (quiet_) return;
+  const double left = time_left_.estimate(fraction, since_start_.seconds());
   if (since_shown_.seconds() < (terminal_ ? bar_interval : line_interval)) return;
   since_shown_.restart();
   drawn_ = true;
-  const double elapsed = since_start_.seconds();
-  const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : -1;
   if (terminal_) {
     // One column less: a full line makes some terminals go on to the next.
     const std::string line = progress_line(label_, detail, fraction, left, terminal_width(STDERR_FILENO) - 1);

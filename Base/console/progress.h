@@ -11,6 +11,18 @@ namespace base {
 std::string progress_line(const std::string& label, const std::string& detail, double fraction, double seconds_left,
                           int width);
 
+/// How long something still takes, by how far it has come since it was first looked at: a run that is resumed starts
+/// amid its whole, and one that falls back, as to another stage, counts from there.
+class TimeLeft {
+ public:
+  /// Seconds; < 0: not known yet. `fraction`: of the whole that is done at `seconds` of any clock.
+  double estimate(double fraction, double seconds);
+
+ private:
+  double first_fraction_ = 2, first_seconds_ = 0;  // beyond any fraction: nothing has been seen
+  double last_fraction_ = 2;
+};
+
 /// Shows how far a run is: a bar on a terminal, a line every few seconds elsewhere, nothing when quiet.
 class Progress {
  public:
@@ -31,6 +43,7 @@ class Progress {
   std::string label_;
   bool quiet_, terminal_, drawn_ = false;
   Stopwatch since_start_, since_shown_;
+  TimeLeft time_left_;
 };
 
 }  // namespace base

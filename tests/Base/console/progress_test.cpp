@@ -23,5 +23,20 @@ TEST(ProgressLine, ShortensTheBarAndThenLeavesItOut) {
   EXPECT_EQ(progress_line("run", "step 3", 0.5, 12, 16), "run, 12 s left");
 }
 
+TEST(TimeLeft, CountsFromWhereARunWasTakenUp) {
+  TimeLeft left;
+  EXPECT_LT(left.estimate(0.90, 10), 0);
+  EXPECT_NEAR(left.estimate(0.91, 20), 90, 1e-9);
+  EXPECT_NEAR(left.estimate(0.95, 60), 50, 1e-9);
+}
+
+TEST(TimeLeft, StartsAnewWithAnotherStage) {
+  TimeLeft left;
+  left.estimate(0, 0);
+  EXPECT_NEAR(left.estimate(1, 100), 0, 1e-9);
+  EXPECT_LT(left.estimate(0.1, 101), 0);
+  EXPECT_NEAR(left.estimate(0.2, 111), 80, 1e-9);
+}
+
 }  // namespace
 }  // namespace base

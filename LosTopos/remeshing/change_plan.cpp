@@ -51,6 +51,10 @@ void ChangePlan::measure(const SurfaceMesh& mesh) {
   before = after = ShapeSummary::of_none();
   for (Triangle t : replaced) before.add(corners(mesh, t));
   for (const PlannedTriangle& planned : triangles) after.add(planned.corners);
+  measure_volumes(mesh);
+}
+
+void ChangePlan::measure_volumes(const SurfaceMesh& mesh) {
   volume_change = VolumeChange(mesh, *this).largest();
 }
 

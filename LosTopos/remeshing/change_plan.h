@@ -47,6 +47,8 @@ struct ChangePlan {
   void move(Vertex vertex, const Vec3& position);
   /// Fills in before, after and volume_change.
   void measure(const SurfaceMesh& mesh);
+  /// Of that, volume_change alone.
+  void measure_volumes(const SurfaceMesh& mesh);
 };
 
 }  // namespace lostopos

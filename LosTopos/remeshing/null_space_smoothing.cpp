@@ -13,9 +13,10 @@
 namespace lostopos {
 namespace {
 
-constexpr std::array smoothing_invariants = {
-    Invariant{Refusal::inverted_normal, keeps_orientation}, Invariant{Refusal::not_better, improves_min_angle},
-    Invariant{Refusal::long_edge, keeps_longest_edge},      Invariant{Refusal::small_area, keeps_min_area},
+// After orientation and angles, which most moves fail at.
+constexpr std::array other_invariants = {
+    Invariant{Refusal::long_edge, keeps_longest_edge},
+    Invariant{Refusal::small_area, keeps_min_area},
     Invariant{Refusal::volume_change, keeps_volumes},
 };
 
@@ -62,14 +63,12 @@ Eigen::Matrix3d normal_quadric(const SurfaceMesh& mesh, Vertex v) {
   return quadric;
 }
 
-// The free part of d without its components along the gradients of the regions' volumes: Gram–Schmidt, for full
-// accuracy.
-Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, Hold hold, ChangePlan& plan, Vec3 d) {
+// The free part of d without its components along the gradients of the regions' volumes in `star`: Gram–Schmidt, for
+// full accuracy.
+Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, Hold hold, const ChangePlan& star, Vec3 d) {
   // What is left of a gradient after the others (on a border the three sum up to zero) and counts as rounding.
   constexpr double negligible = 1e-6;
-  plan.clear();
-  for (Triangle t : mesh.triangles(v)) plan.add_moved(mesh, t, v, v, mesh.position(v));
-  const VolumeChange volumes(mesh, plan, v);
+  const VolumeChange volumes(mesh, star, v);
   boost::container::static_vector<Vec3, 3> basis;
   for (const auto& r : volumes.regions()) {
     const Vec3 gradient = free_part(hold, r.gradient);
@@ -84,36 +83,68 @@ Vec3 keeping_volumes(const SurfaceMesh& mesh, Vertex v, Hold hold, ChangePlan& p
 
 }  // namespace
 
-std::optional<Refusal> NullSpaceSmoothing::plan_move(Vertex v, const Vec3& target) {
-  c_.plan.clear();
+void NullSpaceSmoothing::plan_star(Vertex v) {
+  ChangePlan& plan = c_.plan;
+  plan.clear();
+  plan.before = ShapeSummary::of_none();
   for (Triangle t : c_.mesh.triangles(v)) {
-    c_.plan.replaced.push_back(t);
-    c_.plan.add_moved(c_.mesh, t, v, v, c_.mesh.position(v));
+    const double smallest = plan.before.min_angle;
+    plan.before.add(corners(c_.mesh, t));
+    if (plan.before.min_angle < smallest) sharpest_ = plan.replaced.size();
+    plan.replaced.push_back(t);
+    plan.add_moved(c_.mesh, t, v, v, c_.mesh.position(v));
   }
+}
+
+bool NullSpaceSmoothing::improves_smallest_angle() {
+  ChangePlan& plan = c_.plan;
+  plan.after = ShapeSummary::of_none();
+  // The triangle that was sharpest decides mostly, and then no other is looked at.
+  for (std::size_t i = 0; i < plan.triangles.size(); ++i) {
+    plan.after.add(plan.triangles[(sharpest_ + i) % plan.triangles.size()].corners);
+    if (!improves_min_angle(plan, c_.limits)) return false;
+  }
+  return true;
+}
+
+std::optional<Refusal> NullSpaceSmoothing::plan_move(Vertex v, const Vec3& target) {
+  c_.plan.move(v, target);
+  target_ = target;
+  if (!keeps_orientation(c_.plan, c_.limits)) return Refusal::inverted_normal;
+  if (!improves_smallest_angle()) return Refusal::not_better;
+  c_.plan.measure_volumes(c_.mesh);
+  if (const auto refusal = first_broken(other_invariants, c_.plan, c_.limits)) return refusal;
+  c_.plan.move(v, c_.mesh.position(v));  // where the motion begins
   c_.motion.clear();
   c_.motion.add_planned_star(c_.plan, v, target);
   c_.plan.move(v, target);
-  c_.plan.measure(c_.mesh);
-  target_ = target;
-  if (const auto refusal = first_broken(smoothing_invariants, c_.plan, c_.limits)) return refusal;
   if (!c_.guard.move_is_free(v, c_.motion)) return Refusal::intersection;
   return {};
 }
 
+std::optional<Refusal> NullSpaceSmoothing::refuse(Vertex v, Refusal why) {
+  c_.settled.settle(v, why);
+  return why;
+}
+
 std::optional<Refusal> NullSpaceSmoothing::check(Vertex v) {
   if (is_held(c_.held[v])) return Refusal::held;
+  if (const auto known = c_.settled.refusal(v)) return known;
   const VertexRank bound = rank(c_.mesh, v);
-  if (bound == VertexRank::corner) return Refusal::junction_topology;
+  if (bound == VertexRank::corner) return refuse(v, Refusal::junction_topology);
   Vec3 step = bound == VertexRank::border ? step_along_border(c_.mesh, v) : step_in_film(c_.mesh, v);
   step = in_null_space(normal_quadric(c_.mesh, v), c_.options.smoothing_tolerance, step);
+  plan_star(v);
   step = keeping_volumes(c_.mesh, v, c_.held[v], c_.plan, step);
-  if (step.isZero(0)) return Refusal::not_better;
+  if (step.isZero(0)) return refuse(v, Refusal::not_better);
+  bool for_its_star_alone = true;  // other reasons depend on bounds, which change, and on surfaces nearby
   std::optional<Refusal> refusal;
   for (double share : {1.0, 0.5}) {
     refusal = plan_move(v, c_.mesh.position(v) + share * step);
-    if (!refusal) break;
+    if (!refusal) return {};
+    for_its_star_alone &= refusal == Refusal::not_better || refusal == Refusal::inverted_normal;
   }
-  return refusal;
+  return for_its_star_alone ? refuse(v, *refusal) : refusal;
 }
 
 std::optional<Refusal> NullSpaceSmoothing::attempt(Vertex v) {

@@ -20,10 +20,14 @@ class NullSpaceSmoothing {
   std::optional<Refusal> attempt(Vertex v);
 
  private:
+  void plan_star(Vertex v);
   std::optional<Refusal> plan_move(Vertex v, const Vec3& target);
+  bool improves_smallest_angle();
+  std::optional<Refusal> refuse(Vertex v, Refusal why);
 
   RemeshContext& c_;
   Vec3 target_ = Vec3::Zero();
+  std::size_t sharpest_ = 0;  // of the planned triangles: the one with the smallest angle before
 };
 
 }  // namespace lostopos

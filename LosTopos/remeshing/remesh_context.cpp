@@ -4,6 +4,10 @@
 
 namespace lostopos {
 
+void RemeshContext::disturb(Triangle t) {
+  for (Vertex v : mesh.vertices(t)) settled.disturb(v);
+}
+
 std::span<const TriangleSource> RemeshContext::carry_out(Vertex fresh) {
   sources_.clear();
   // All additions come first: so no slot is used again before observers have seen the last of its element, and edges
@@ -14,10 +18,15 @@ std::span<const TriangleSource> RemeshContext::carry_out(Vertex fresh) {
     const auto& [a, b, c] = planned.vertices;
     sources_.push_back({mesh.add_triangle(a, b, c, planned.labels), planned.parent});
     index.changed(sources_.back().child);
+    disturb(sources_.back().child);
   }
-  for (const PlannedTriangle& planned : plan.triangles)
-    if (planned.moved_only) index.changed(planned.parent);
+  for (const PlannedTriangle& planned : plan.triangles) {
+    if (!planned.moved_only) continue;
+    index.changed(planned.parent);
+    disturb(planned.parent);
+  }
   for (Triangle t : plan.replaced) {
+    disturb(t);
     const bool stays = std::ranges::any_of(
         plan.triangles, [t](const PlannedTriangle& planned) { return planned.moved_only && planned.parent == t; });
     if (stays) continue;

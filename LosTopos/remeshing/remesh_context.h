@@ -9,6 +9,7 @@
 #include "LosTopos/remeshing/change_plan.h"
 #include "LosTopos/remeshing/invariants/intersection.h"
 #include "LosTopos/remeshing/invariants/invariant.h"
+#include "LosTopos/remeshing/settled_vertices.h"
 #include "LosTopos/remeshing/surface_index.h"
 
 namespace lostopos {
@@ -40,6 +41,7 @@ class RemeshContext {
   IntersectionGuard guard;
   ChangePlan plan;
   StarMotion motion;
+  SettledVertices settled;  ///< of smoothing
 
   /// Tells the mesh's named attributes, then the observers.
   template <class Event>
@@ -48,11 +50,13 @@ class RemeshContext {
     for (OperationObserver* observer : observers_) (observer->*method)(mesh, event);
   }
 
-  /// Puts the planned triangles in the place of those they replace, with `fresh` for the planned vertex. The index
-  /// follows. Returns the new triangles' origins, valid until the next operation.
+  /// Puts the planned triangles in the place of those they replace, with `fresh` for the planned vertex. The index and
+  /// the settled vertices follow. Returns the new triangles' origins, valid until the next operation.
   std::span<const TriangleSource> carry_out(Vertex fresh = Vertex());
 
  private:
+  void disturb(Triangle t);
+
   std::vector<OperationObserver*> observers_;
   std::vector<TriangleSource> sources_;
 };

@@ -60,6 +60,19 @@ TEST(RunCommand, ExplainNamesActiveEffectsOnly) {
   EXPECT_EQ(result.out.find("diffusion"), std::string::npos);
 }
 
+TEST(RunCommand, ExplainNamesConstraintsWhereThereAreSome) {
+  const auto stages = [](const std::string& scene) {
+    const ScratchFolder scratch;
+    const ProgramResult result = run_foamsim("run " + scene + " --steps 2 --explain --out " + (scratch / "run"));
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    return result.out.substr(std::min(result.out.find("stage "), result.out.size()));
+  };
+  const std::string bubbles = stages("doublebubble --set n=8"), straw = stages("straw");
+  for (const char* absent : {"\nframe", "\nwire", "\nrod", "\nblow"})
+    EXPECT_EQ(bubbles.find(absent), std::string::npos) << absent;
+  for (const char* present : {"\nwire", "\nblow"}) EXPECT_NE(straw.find(present), std::string::npos) << present;
+}
+
 TEST(RunCommand, QuietPrintsNothing) {
   const ScratchFolder scratch;
   const ProgramResult result = run_foamsim("run sphere --set n=1 --steps 3 --quiet --out " + (scratch / "run"));

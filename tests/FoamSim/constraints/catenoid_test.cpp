@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "FoamSim/scenes/scene.h"
 
@@ -10,12 +11,10 @@ namespace {
 
 using lostopos::Vertex;
 
-Scene rings(const char* wires) {
+Scene rings(const std::vector<std::string>& mesh, const std::string& wires) {
   Scene scene = built_in_scene("tworingspinching");
-  const std::string pull = std::string("wires=") + wires;
-  for (const std::string& assignment :
-       {std::string("constraints=wire"), pull, std::string("n=48"), std::string("resolution=0.075")})
-    scene.options.set_assignment(assignment, "test");
+  for (const std::string& assignment : mesh) scene.options.set_assignment(assignment, "test");
+  scene.options.set("wires", std::vector<std::string>{wires}, "test");
   return scene;
 }
 
@@ -36,29 +35,61 @@ double catenoid_area(double d) {
   return 3.14159265358979 * c * (d + c * std::sinh(d / c));
 }
 
-TEST(Catenoid, IsFollowedAndPinchesWhereThereIsNone) {
-  // Fast to where the rings are 0.604 apart, then at a twentieth of the scene's speed.
-  Simulation start = make_simulation(rings("held: pull 0.08"));
+struct Pull {
+  std::string name;
+  std::vector<std::string> mesh;  // options besides the scene's
+  double speed;                   // of each ring, L/T
+  double tolerance;               // of where the film parts, as a share
+};
+
+std::ostream& operator<<(std::ostream& out, const Pull& pull) {
+  return out << pull.name;
+}
+
+class Catenoid : public testing::TestWithParam<Pull> {};
+
+// Fast to where the rings are 0.604 apart, then slowly.
+Simulation nearly_apart(const Pull& pull) {
+  Simulation start = make_simulation(rings(pull.mesh, "held: pull 0.08"));
   for (int i = 0; i < 190; ++i) start.step();
   const SimulationState state = start.state();
-  Simulation simulation = make_simulation(rings("held: pull 0.004"), lostopos::SurfaceMesh::from_state(state.tracker),
-                                          start.resolution(), {});
+  Simulation simulation = make_simulation(rings(pull.mesh, "held: pull " + std::to_string(pull.speed)),
+                                          lostopos::SurfaceMesh::from_state(state.tracker), start.resolution(), {});
   simulation.restore(state);
-  const double begun = distance_of_rings(simulation);
-  EXPECT_NEAR(begun, 0.604, 1e-9);
-  const auto parted = [&] { return simulation.topology_totals().separations > 0; };
-  for (int i = 0; i < 1500 && !parted(); ++i) {
+  return simulation;
+}
+
+TEST_P(Catenoid, IsFollowedAndPinchesWhereThereIsNone) {
+  const Pull& pull = GetParam();
+  Simulation simulation = nearly_apart(pull);
+  EXPECT_NEAR(distance_of_rings(simulation), 0.604, 1e-9);
+  // Its neck closes where places of it are joined.
+  const auto parted = [&] { return simulation.topology_totals().snaps > 0; };
+  bool compared = false;
+  const auto most_steps = static_cast<long>(0.12 / (2 * pull.speed * simulation.options().dt));
+  for (long i = 0; i < most_steps && !parted(); ++i) {
     simulation.step();
-    if (i == 400) {
-      const double d = distance_of_rings(simulation);
-      EXPECT_NEAR(simulation.geometry().total_area(), catenoid_area(d), 0.01 * catenoid_area(d));
-    }
+    const double d = distance_of_rings(simulation);
+    if (compared || d < 0.636) continue;
+    EXPECT_NEAR(simulation.geometry().total_area(), catenoid_area(d), 0.01 * catenoid_area(d));
+    compared = true;
   }
   ASSERT_TRUE(parted());
   const double diameter = 1, last = 0.6627 * diameter;
-  RecordProperty("distance", std::to_string(distance_of_rings(simulation)));
-  EXPECT_NEAR(distance_of_rings(simulation), last, 0.03 * last);
+  const double over = distance_of_rings(simulation) / last - 1;
+  std::cout << pull.name << ": parts at " << distance_of_rings(simulation) << ", " << 100 * over << "% beyond\n";
+  EXPECT_GT(over, 0) << "there is a catenoid still";
+  EXPECT_LT(over, pull.tolerance);
 }
+
+// The film needs time to fall inwards, in which the rings go on; the more so on a coarse mesh, where diffusion, a rate
+// on its edges, brakes it more.
+INSTANTIATE_TEST_SUITE_P(Pulls, Catenoid,
+                         testing::Values(Pull{"FineMeshAtATwentieth", {"n=48", "resolution=0.075"}, 0.004, 0.03},
+                                         Pull{"MiddleMeshAtATwentieth", {"n=36", "resolution=0.1"}, 0.004, 0.035},
+                                         Pull{"OwnMeshAtATwentieth", {}, 0.004, 0.045},
+                                         Pull{"OwnMeshAtAFortieth", {}, 0.002, 0.03}),
+                         [](const auto& pull) { return pull.param.name; });
 
 }  // namespace
 }  // namespace foamsim

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/exact_polynomial.h"
+#include "tests/support/algebraic_number.h"
+#include "tests/support/ccd_filter.h"
 
 namespace lostopos::test {
 namespace {
@@ -127,63 +128,84 @@ bool separated_along_an_axis(const Query& q) {
   return false;
 }
 
-void append_roots(std::vector<AlgebraicNumber>& times, const Polynomial& p) {
-  for (AlgebraicNumber& root : roots_in_unit_interval(p)) times.push_back(std::move(root));
-}
-
-// All times at which a first contact is possible.
-std::vector<AlgebraicNumber> candidate_times(const Query& q, const Polynomial& coplanarity) {
+// Coplanar at all times, not in contact at the start: a contact begins when a vertex comes to lie on an edge, or on a
+// vertex if it is always on the edge's line.
+std::vector<AlgebraicNumber> times_in_one_plane(const Query& q) {
   std::vector<AlgebraicNumber> times;
-  times.emplace_back(Dyadic{0, 0});
+  const auto append_roots = [&times](const PolynomialVector& v) {
+    const auto moving = std::find_if(v.begin(), v.end(), [](const Polynomial& p) { return !p.is_zero(); });
+    if (moving == v.end()) return false;
+    for (AlgebraicNumber& root : roots_in_unit_interval(*moving)) times.push_back(std::move(root));
+    return true;
+  };
+  for (const auto& [i, j] : q.boundary) {
+    if (append_roots(cross(q.differences[i], q.differences[j]))) continue;
+    append_roots(q.differences[i]);
+    append_roots(q.differences[j]);
+  }
   times.emplace_back(Dyadic{1, 0});
-  if (!coplanarity.is_zero()) {
-    append_roots(times, coplanarity);
-    return times;
-  }
-  // Always coplanar: a contact begins when a vertex is on an edge, or on a vertex if it is always on the edge's line.
-  for (const auto& b : q.boundary) {
-    for (const Polynomial& p : cross(q.differences[b.first], q.differences[b.second])) append_roots(times, p);
-  }
-  for (const PolynomialVector& d : q.differences) {
-    for (const Polynomial& p : d) append_roots(times, p);
-  }
   return times;
 }
 
-std::optional<ExactContact> first_contact(const Query& q, unsigned bits) {
+ExactContact refined(AlgebraicNumber& t, const OracleOptions& options) {
+  for (const double time : options.apart_from) t.cut(Dyadic::of(time));
+  t.refine(options.bits);
+  return {t.low().rounded_down(), t.high().rounded_up()};
+}
+
+std::optional<ExactContact> first_contact(const Query& q, const OracleOptions& options) {
   if (separated_along_an_axis(q)) return std::nullopt;
   const PolynomialVector normal = cross(q.e1, q.e2);
   const Polynomial coplanarity = dot(normal, q.differences[0]);
-  if (coplanarity.bernstein_sign({0, 0}, {1, 0}) != 0) return std::nullopt;
-  std::optional<ExactContact> first;
-  for (AlgebraicNumber& t : candidate_times(q, coplanarity)) {
-    if (t.sign_of(coplanarity) != 0 || !in_contact(q, normal, t)) continue;
-    t.refine(bits);
-    if (!first || t.low() < first->low) first = ExactContact{t.low(), t.high()};
+  AlgebraicNumber start(Dyadic{0, 0});
+  if (start.sign_of(coplanarity) == 0 && in_contact(q, normal, start)) return ExactContact{0, 0};
+  if (coplanarity.is_zero()) {
+    std::optional<ExactContact> first;
+    for (AlgebraicNumber& t : times_in_one_plane(q)) {
+      if (!in_contact(q, normal, t)) continue;
+      const ExactContact contact = refined(t, options);
+      if (!first) first = contact;
+      first = ExactContact{std::min(first->low, contact.low), std::min(first->high, contact.high)};
+    }
+    return first;
   }
-  return first;
+  for (AlgebraicNumber& t : roots_in_unit_interval(coplanarity)) {
+    if (in_contact(q, normal, t)) return refined(t, options);
+  }
+  AlgebraicNumber end(Dyadic{1, 0});
+  if (end.sign_of(coplanarity) == 0 && in_contact(q, normal, end)) return ExactContact{1, 1};
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<ExactContact> exact_vertex_triangle(const std::array<Trajectory, 4>& points, unsigned bits) {
+std::optional<ExactContact> exact_vertex_triangle(const std::array<Trajectory, 4>& points,
+                                                  const OracleOptions& options) {
+  if (options.filter) {
+    const FilteredContact filtered = filter_vertex_triangle(points, options.bits, options.apart_from);
+    if (filtered.decided) return filtered.contact;
+  }
   const IntegerMotion x(points);
   Query q;
   q.differences = {x[1] - x[0], x[2] - x[0], x[3] - x[0]};
   q.boundary = {{0, 1}, {1, 2}, {2, 0}};
   q.e1 = x[2] - x[1];
   q.e2 = x[3] - x[1];
-  return first_contact(q, bits);
+  return first_contact(q, options);
 }
 
-std::optional<ExactContact> exact_edge_edge(const std::array<Trajectory, 4>& points, unsigned bits) {
+std::optional<ExactContact> exact_edge_edge(const std::array<Trajectory, 4>& points, const OracleOptions& options) {
+  if (options.filter) {
+    const FilteredContact filtered = filter_edge_edge(points, options.bits, options.apart_from);
+    if (filtered.decided) return filtered.contact;
+  }
   const IntegerMotion x(points);
   Query q;
   q.differences = {x[2] - x[0], x[3] - x[0], x[2] - x[1], x[3] - x[1]};
   q.boundary = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
   q.e1 = x[1] - x[0];
   q.e2 = x[3] - x[2];
-  return first_contact(q, bits);
+  return first_contact(q, options);
 }
 
 }  // namespace lostopos::test

@@ -1,29 +1,47 @@
 #pragma once
 
-#include <array>
 #include <boost/container/static_vector.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <memory>
-#include <vector>
+#include <utility>
 
 namespace lostopos::test {
 
-// Integer polynomials and their real roots in exact arithmetic, for oracles.
+// Integer polynomials in exact arithmetic, for oracles.
 
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+/// Of any size; up to 512 bits without allocation.
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+                                      512, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
+                                      std::allocator<boost::multiprecision::limb_type>>,
+                                  boost::multiprecision::et_off>;
 
 /// numerator / 2^exponent
 struct Dyadic {
   Integer numerator;
   unsigned exponent = 0;
 
-  double value() const;
+  /// The number x, in [0, 1].
+  static Dyadic of(double x);
+
+  /// The double that is equal or next below, or above; of a number in [0, 1].
+  double rounded_down() const;
+  double rounded_up() const;
 };
+
+/// Their numerators over the same power of two.
+std::pair<Integer, Integer> alike(const Dyadic& a, const Dyadic& b);
+
+Dyadic midpoint(const Dyadic& a, const Dyadic& b);
+Dyadic operator+(const Dyadic& a, const Dyadic& b);
+bool operator<(const Dyadic& a, const Dyadic& b);
 
 /// Polynomial in one variable; coefficients[i] belongs to t^i, the last one is not zero, the zero polynomial has none.
 /// Degree at most 7.
 class Polynomial {
  public:
+  using Coefficients = boost::container::static_vector<Integer, 8>;
+
   Polynomial() = default;
   explicit Polynomial(Integer constant);
   Polynomial(Integer constant, Integer slope);
@@ -45,15 +63,22 @@ class Polynomial {
 
   int sign_at(const Dyadic& t) const;
 
-  /// The common strict sign of all Bernstein coefficients on [low, high], or 0 when they have none.
-  int bernstein_sign(const Dyadic& low, const Dyadic& high) const;
+  /// The coefficients of Bernstein's form on [low, high], low < high, all times one positive number.
+  Coefficients bernstein(const Dyadic& low, const Dyadic& high) const;
 
  private:
   friend struct Division;
   void trim();
 
-  boost::container::static_vector<Integer, 8> c_;
+  Coefficients c_;
 };
+
+/// Changes of sign from one coefficient to the next, zeros left out. Of Bernstein coefficients they are as many as the
+/// roots in the open interval, each counted by its multiplicity, or more by an even number (Descartes).
+int sign_changes(const Polynomial::Coefficients& c);
+
+/// The common strict sign of all coefficients, or 0 when they have none.
+int common_sign(const Polynomial::Coefficients& c);
 
 /// Pseudo-division: factor * dividend = quotient * divisor + remainder for some positive integer factor.
 struct Division {
@@ -64,46 +89,5 @@ struct Division {
 };
 
 Polynomial greatest_common_divisor(Polynomial a, Polynomial b);
-
-/// Counts distinct roots by Sturm's theorem.
-class SturmChain {
- public:
-  explicit SturmChain(const Polynomial& p);  ///< p square-free and not zero
-
-  const Polynomial& polynomial() const { return chain_.front(); }
-  int roots_between(const Dyadic& low, const Dyadic& high) const;  ///< in (low, high]
-
- private:
-  int variations(const Dyadic& t) const;
-
-  std::vector<Polynomial> chain_;
-};
-
-/// A real algebraic number: a dyadic number, or the one root of a square-free polynomial in an open interval.
-class AlgebraicNumber {
- public:
-  explicit AlgebraicNumber(Dyadic exact) : low_(exact), high_(std::move(exact)) {}
-  AlgebraicNumber(std::shared_ptr<const SturmChain> chain, Dyadic low, Dyadic high)
-      : chain_(std::move(chain)), low_(std::move(low)), high_(std::move(high)) {}
-
-  /// The exact sign of p at this number.
-  int sign_of(const Polynomial& p);
-
-  /// Halves the interval until it is no longer than 2^-bits.
-  void refine(unsigned bits);
-
-  double low() const { return low_.value(); }
-  double high() const { return high_.value(); }
-
- private:
-  void halve();
-
-  std::shared_ptr<const SturmChain> chain_;  // none: exact
-  Dyadic low_;
-  Dyadic high_;
-};
-
-/// The distinct roots of p, which is not zero, in the open interval (0, 1), in ascending order.
-std::vector<AlgebraicNumber> roots_in_unit_interval(const Polynomial& p);
 
 }  // namespace lostopos::test

@@ -9,7 +9,6 @@
 
 #include "Base/parallel/for_each.h"
 #include "LosTopos/geometry/distance.h"
-#include "tests/support/ccd_oracle.h"
 
 namespace lostopos::test {
 namespace {
@@ -101,15 +100,16 @@ double relative_gap(Shape shape, const Query& q, double time) {
 }
 
 void compare(Shape shape, const Query& query, const std::optional<Collision>& answer, CheckResult& result) {
-  constexpr unsigned time_bits = 60;
-  const auto exact =
-      shape == Shape::vertex_triangle ? exact_vertex_triangle(query, time_bits) : exact_edge_edge(query, time_bits);
+  constexpr double much_too_early = 1e-6;
+  const double time = answer ? answer->time : 0;
+  const std::array<double, 2> apart_from = {time, std::min(time + much_too_early, 1.0)};
+  const auto exact = exact_contact(shape, query, {.apart_from = apart_from});
   if (exact) ++result.exact_hits;
   if (exact && !answer) ++result.missed;
   if (!answer) return;
   if (!exact) ++result.false_hits;
-  if (exact && answer->time > exact->high) ++result.late;
-  if (exact && answer->time < exact->low - 1e-6) ++result.early;
+  if (exact && exact->is_before(apart_from[0])) ++result.late;
+  if (exact && exact->is_after(apart_from[1])) ++result.early;
   if (!well_formed(shape, *answer)) ++result.malformed;
   result.largest_gap = std::max(result.largest_gap, relative_gap(shape, query, answer->time));
 }

@@ -21,6 +21,10 @@ std::optional<Collision> collide(Shape shape, const Query& q) {
                                          : edge_edge_collision(q[0], q[1], q[2], q[3]);
 }
 
+std::optional<ExactContact> exact_contact(Shape shape, const Query& q, const OracleOptions& options) {
+  return shape == Shape::vertex_triangle ? exact_vertex_triangle(q, options) : exact_edge_edge(q, options);
+}
+
 double QueryGenerator::uniform(double low, double high) {
   return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "LosTopos/geometry/ccd.h"
+#include "tests/support/ccd_oracle.h"
 
 namespace lostopos::test {
 
@@ -17,6 +18,9 @@ enum class Shape { vertex_triangle, edge_edge };
 
 /// The library's answer.
 std::optional<Collision> collide(Shape shape, const Query& query);
+
+/// The oracle's.
+std::optional<ExactContact> exact_contact(Shape shape, const Query& query, const OracleOptions& options = {});
 
 /// Streams of queries, the same for the same seed.
 class QueryGenerator {

@@ -10,3 +10,9 @@ except ModuleNotFoundError:
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402, F401 (for those who import it from here)
+
+
+def save(figure, path, dpi=150):
+    """Writes a figure as .png, and beside it as .svg and .pdf, which have no pixels."""
+    for ending in (".png", ".svg", ".pdf"):
+        figure.savefig(path.with_suffix(ending), dpi=dpi)

@@ -8,7 +8,7 @@ import csv
 import sys
 from pathlib import Path
 
-from drawing import plt
+from drawing import plt, save
 from matplotlib.lines import Line2D
 
 COLOURS = {"naive": "tab:red", "constant-edge": "tab:orange", "averaged": "tab:blue"}
@@ -83,7 +83,7 @@ def plot_errors(folder, rows, evolver):
     sizes = sorted({int(row["n"]) for row in rows})
     cells[-1].legend(handles=legend_entries(rows, evolver), loc="center", fontsize=10,
                      title="N = " + ", ".join(map(str, sizes)) + ", coarse to fine along a line")
-    figure.savefig(folder / "accuracy_plot.png", dpi=130)
+    save(figure, folder / "accuracy_plot.png", dpi=130)
     plt.close(figure)
 
 
@@ -113,7 +113,7 @@ def plot_cost(folder, rows):
         cell.grid(axis="y", alpha=0.3)
     axes[0][0].set_ylabel("CPU milliseconds a step")
     axes[0][0].legend()
-    figure.savefig(folder / "cost_plot.png", dpi=130)
+    save(figure, folder / "cost_plot.png", dpi=130)
     plt.close(figure)
 
 

@@ -9,7 +9,7 @@ import math
 import sys
 from pathlib import Path
 
-from drawing import plt
+from drawing import plt, save
 
 
 def read_columns(path, names):
@@ -46,7 +46,7 @@ def main(folder):
         axes.set_xlabel("time (T)")
         axes.grid(alpha=0.3)
         axes.legend()
-    figure.savefig(folder / "compare_plot.png", dpi=150)
+    save(figure, folder / "compare_plot.png", dpi=150)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import math
 import sys
 from pathlib import Path
 
-from drawing import plt
+from drawing import plt, save
 
 from csv_columns import column, read_rows
 
@@ -56,7 +56,7 @@ def plot_over_time(folder, strategies):
         axes.set_xlabel("time (T)")
         axes.grid(alpha=0.3)
         axes.legend()
-    figure.savefig(folder / "figure1_plot.png", dpi=150)
+    save(figure, folder / "figure1_plot.png", dpi=150)
 
 
 def main(folder):

@@ -7,7 +7,7 @@ import math
 import sys
 from pathlib import Path
 
-from drawing import plt
+from drawing import plt, save
 
 from csv_columns import read_rows
 
@@ -58,7 +58,7 @@ def main(folder):
     bars.set_ylim(0, 1.5)
     bars.grid(alpha=0.3, axis="y")
     bars.legend(fontsize=8, ncol=3, loc="upper center")
-    figure.savefig(folder / "figure3.png", dpi=150)
+    save(figure, folder / "figure3.png", dpi=150)
 
 
 if __name__ == "__main__":

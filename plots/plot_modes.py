@@ -7,7 +7,7 @@ import csv
 import sys
 from pathlib import Path
 
-from drawing import plt
+from drawing import plt, save
 
 
 def read_rows(path):
@@ -69,7 +69,7 @@ def main(folder):
     for mode, mode_axes in zip(modes, axes):
         plot_amplitudes(mode_axes, series, mode)
     plot_errors(axes[-1], summary)
-    figure.savefig(folder / "modes_plot.png", dpi=150)
+    save(figure, folder / "modes_plot.png", dpi=150)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ usage: plot_table1.py DIR     reads DIR/table1.csv, writes DIR/table1_plot.png
 import sys
 from pathlib import Path
 
-from drawing import plt
+from drawing import plt, save
 
 from csv_columns import column, read_rows
 
@@ -49,7 +49,7 @@ def main(folder):
     finish(facet_axes, "between facets, as the report measures", subdivisions)
     finish(film_axes, "between the curved films", subdivisions)
     facet_axes.set_ylim(0.8, 45)
-    figure.savefig(folder / "table1_plot.png", dpi=150)
+    save(figure, folder / "table1_plot.png", dpi=150)
 
 
 if __name__ == "__main__":

@@ -33,6 +33,7 @@ Section files() {
            {"events.csv", "every change of topology"},
            {"frames/*.ply", "surfaces"},
            {"checkpoint.cbor", "from which --resume goes on, to the same bits"},
+           {"stats/", "what foamsim stats counts of the frames"},
            {"surface.pvd, vtp/", "for ParaView, with --set vtp=true"}}};
 }
 

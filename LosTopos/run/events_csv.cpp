@@ -20,7 +20,7 @@ std::string events_rows(const Motion& motion) {
 }  // namespace
 
 Table events_table(const Motion& motion) {
-  return {"events.csv", "step,time,kind,regions,x,y,z", 1, [&motion] { return events_rows(motion); }};
+  return {"events.csv", events_header, 1, [&motion] { return events_rows(motion); }};
 }
 
 }  // namespace lostopos::run

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array run_files{"run.json",   "metrics.csv",     "volumes.csv",
                                "events.csv", "checkpoint.cbor", "surface.pvd"};
-constexpr std::array run_folders{"frames", "vtp", "rec", "obj"};
+constexpr std::array run_folders{"frames", "vtp", "rec", "obj", "stats"};
 
 bool holds_a_run(const fs::path& path) {
   for (const char* file : run_files)

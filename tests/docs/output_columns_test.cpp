@@ -1,10 +1,11 @@
-// docs/output.md names every column of metrics.csv, in the order in which it is written.
+// docs/output.md names every column of the tables, in the order in which they are written.
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <string>
 
 #include "FoamSim/metrics/metrics_csv.h"
+#include "FoamSim/statistics/statistics_tables.h"
 #include "MultiTracker/run/metrics_csv.h"
 
 namespace {
@@ -26,6 +27,13 @@ TEST(OutputDocument, NamesTheColumnsOfFoamsim) {
 
 TEST(OutputDocument, NamesTheColumnsOfMultitracker) {
   EXPECT_EQ(columns_below("## multitracker's metrics.csv"), multitracker::metrics_header());
+}
+
+TEST(OutputDocument, NamesTheColumnsOfStatistics) {
+  EXPECT_EQ(columns_below("## foam.csv") + "\n", foamsim::foam_table_header());
+  EXPECT_EQ(columns_below("## bubbles.csv") + "\n", foamsim::bubble_table_header());
+  EXPECT_EQ(columns_below("## films.csv") + "\n", foamsim::film_table_header());
+  EXPECT_EQ(columns_below("## distributions.csv") + "\n", foamsim::distribution_table_header());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// docs/output.md names every column of the tables, in the order in which they are written.
+// docs/output.md names every column of the tables, in the order in which they are written; CITATION.cff the version.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -6,6 +6,7 @@
 
 #include "FoamSim/metrics/metrics_csv.h"
 #include "FoamSim/statistics/statistics_tables.h"
+#include "FoamSim/version.h"
 #include "MultiTracker/run/metrics_csv.h"
 
 namespace {
@@ -34,6 +35,15 @@ TEST(OutputDocument, NamesTheColumnsOfStatistics) {
   EXPECT_EQ(columns_below("## bubbles.csv") + "\n", foamsim::bubble_table_header());
   EXPECT_EQ(columns_below("## films.csv") + "\n", foamsim::film_table_header());
   EXPECT_EQ(columns_below("## distributions.csv") + "\n", foamsim::distribution_table_header());
+}
+
+// What is cited is what this is.
+TEST(CitationFile, HasTheVersion) {
+  std::ifstream file(FOAMSIM_DOCS "/../CITATION.cff");
+  std::string line;
+  while (std::getline(file, line) && !line.starts_with("version: ")) {
+  }
+  EXPECT_EQ(line, "version: " + std::string(foamsim::version));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ void add_sweep_command(base::Command& root, const Program& program);
 void add_study_command(base::Command& root, const Program& program);
 void add_reproduce_command(base::Command& root, const Program& program);
 void add_render_command(base::Command& root, const Program& program);
+void add_movie_command(base::Command& root, const Program& program);
 void add_inspect_command(base::Command& root, const Program& program);
 void add_stats_command(base::Command& root, const Program& program);
 void add_convert_command(base::Command& root, const Program& program);

@@ -60,7 +60,7 @@ int compare(const CompareArguments& arguments, const Program& program) {
   if (!arguments.no_pictures) {
     std::vector<std::filesystem::path> rows;
     rows.reserve(runs.size());
-    for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
+    for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory);
     draw_frames(rows, 3, settings.out / "compare.png");
     plot(program, "plot_compare.py", settings.out);
   }

@@ -6,13 +6,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string>
 
 #include "Base/console/terminal.h"
 #include "Base/error.h"
 #include "FoamSim/render/compose.h"
+#include "FoamSim/render/legend.h"
 #include "FoamSim/render/png.h"
 #include "LosTopos/io/mesh_file.h"
+#include "LosTopos/run/run_frames.h"
 
 namespace foamsim::app {
 
@@ -39,10 +42,18 @@ bool succeeds(std::vector<std::string> words) {
   return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+// One camera that shows all of them, seen from `direction`.
+render::Camera camera_for(const std::vector<render::Surface>& surfaces, const render::RenderOptions& options,
+                          const Eigen::Vector3d& direction) {
+  render::FramingOptions framing;
+  framing.direction = direction;
+  framing.aspect = static_cast<double>(options.width) / options.height;
+  return render::framing(surfaces, framing);
+}
+
 }  // namespace
 
-render::Surface read_frame(const fs::path& file) {
-  const lostopos::SurfaceData data = lostopos::read_surface(file);
+render::Surface to_draw(const lostopos::SurfaceData& data) {
   render::Surface surface;
   surface.positions = data.positions;
   surface.triangles = data.triangles;
@@ -54,31 +65,29 @@ render::Surface read_frame(const fs::path& file) {
   return surface;
 }
 
-std::vector<render::Image> draw_together(const std::vector<render::Surface>& surfaces,
-                                         const render::RenderOptions& options, const Eigen::Vector3d& direction) {
-  render::FramingOptions framing;
-  framing.direction = direction;
-  framing.aspect = static_cast<double>(options.width) / options.height;
-  const render::Camera camera = render::framing(surfaces, framing);
-  std::vector<render::Image> images;
-  images.reserve(surfaces.size());
-  for (const render::Surface& surface : surfaces) images.push_back(render::render(surface, camera, options));
-  return images;
-}
-
-void draw_frames(const std::vector<fs::path>& folders, std::size_t columns, const fs::path& file) {
-  std::vector<render::Surface> surfaces;
-  for (const fs::path& folder : folders) {
-    std::vector<fs::path> frames;
-    for (const auto& entry : fs::directory_iterator(folder)) frames.push_back(entry.path());
-    std::ranges::sort(frames);
-    for (std::size_t i = 0; i < columns; ++i)
-      surfaces.push_back(read_frame(frames[i + 1 == columns ? frames.size() - 1 : i * frames.size() / (columns - 1)]));
-  }
+void draw_frames(const std::vector<fs::path>& runs, std::size_t columns, const fs::path& file) {
   render::RenderOptions options;
   options.width = 560;
   options.height = 420;
-  const auto images = draw_together(surfaces, options, render::FramingOptions().direction);
+  std::vector<render::Surface> surfaces;
+  std::vector<std::string> labels;
+  for (const fs::path& run : runs) {
+    const std::vector<lostopos::run::RunFrame> frames = lostopos::run::run_frames(run);
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto& frame = frames[i + 1 == columns ? frames.size() - 1 : i * frames.size() / (columns - 1)];
+      surfaces.push_back(to_draw(lostopos::read_surface(frame.file)));
+      std::array<char, 32> time{};
+      std::snprintf(time.data(), time.size(), ", time %.4g T", frame.time);
+      labels.push_back(run.filename().string() + time.data());
+    }
+  }
+  const render::Camera camera = camera_for(surfaces, options, render::FramingOptions().direction);
+  std::vector<render::Image> images;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    images.push_back(render::render(surfaces[i], camera, options));
+    render::draw_label(images.back(), labels[i], options.background);
+    render::draw_scale_bar(images.back(), camera, "L", options.background);
+  }
   render::write_png(render::grid(images, {.columns = static_cast<int>(columns), .gap = 6}), file);
 }
 
@@ -105,7 +114,7 @@ void draw_films(const Simulation& simulation, const std::array<double, 3>& direc
   options.width = 360;
   options.height = 270;
   const Eigen::Vector3d towards_eye(direction[0], direction[1], direction[2]);
-  render::write_png(draw_together({films}, options, towards_eye).front(), file);
+  render::write_png(render::render(films, camera_for({films}, options, towards_eye), options), file);
 }
 
 bool run_plot_script(const std::string& script, const fs::path& folder) {

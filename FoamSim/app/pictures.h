@@ -8,19 +8,16 @@
 #include "FoamSim/dynamics/simulation.h"
 #include "FoamSim/render/camera.h"
 #include "FoamSim/render/render.h"
+#include "LosTopos/io/surface_data.h"
 
 namespace foamsim::app {
 
-/// Reads a frame (any mesh format) as a surface to draw; what the file calls solid is hidden. Throws base::InputError.
-render::Surface read_frame(const std::filesystem::path& file);
+/// A surface to draw; what the data calls solid is hidden.
+render::Surface to_draw(const lostopos::SurfaceData& data);
 
-/// Draws all surfaces with one camera that shows all of them, seen from `direction`.
-std::vector<render::Image> draw_together(const std::vector<render::Surface>& surfaces,
-                                         const render::RenderOptions& options, const Eigen::Vector3d& direction);
-
-/// A sheet of pictures, a row a folder of frames: `columns` (≥ 2) frames, the first, the last and others evenly
-/// between, all seen by one camera.
-void draw_frames(const std::vector<std::filesystem::path>& folders, std::size_t columns,
+/// A sheet of pictures, a row a run's folder: `columns` (≥ 2) frames, the first, the last and others evenly between,
+/// all seen by one camera, with the folder's name, the time and a scale. Throws as `lostopos::run::run_frames`.
+void draw_frames(const std::vector<std::filesystem::path>& runs, std::size_t columns,
                  const std::filesystem::path& file);
 
 /// A small picture of the films as they are, without solids, seen from `direction`.

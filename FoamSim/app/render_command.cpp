@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <set>
 
@@ -9,7 +6,7 @@
 #include "Base/io/write_error.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/common_arguments.h"
-#include "FoamSim/app/pictures.h"
+#include "FoamSim/app/look.h"
 #include "FoamSim/app/session.h"
 #include "FoamSim/render/png.h"
 
@@ -21,70 +18,47 @@ namespace {
 
 struct RenderArguments {
   std::vector<std::string> frames;
-  std::string out, size = "800x600", background = "dark";
-  std::vector<double> view{0.514, 0.242, 0.823};
-  render::RenderOptions options;
-  int threads = 0;
+  std::string out;
+  LookArguments look;
+  int turntable = 1, threads = 0;
 };
 
-void require(bool right, const std::string& what_is_right) {
-  if (!right) throw base::InputError(what_is_right);
-}
+// A picture to make: of which frame, from how far round.
+struct Shot {
+  fs::path frame, file;
+  double degrees = 0;
+};
 
-void read_size(const std::string& size, render::RenderOptions& options) {
-  constexpr int largest = 32768;
-  int used = 0;
-  const bool form = std::sscanf(size.c_str(), "%dx%d%n", &options.width, &options.height, &used) == 2 &&
-                    static_cast<std::size_t>(used) == size.size();
-  require(form, "--size " + size + " is not of the form WIDTHxHEIGHT, like 800x600");
-  require(std::min(options.width, options.height) >= 1 && std::max(options.width, options.height) <= largest,
-          "--size " + size + ": width and height have to be 1 to " + std::to_string(largest) + " pixels");
-}
-
-render::RenderOptions render_options(const RenderArguments& arguments) {
-  render::RenderOptions options = arguments.options;
-  read_size(arguments.size, options);
-  const std::map<std::string, render::Background> backgrounds{{"dark", render::Background::dark},
-                                                              {"white", render::Background::white},
-                                                              {"transparent", render::Background::transparent}};
-  options.background = backgrounds.at(arguments.background);
-  require(options.samples >= 1 && options.samples <= 4096, "--samples has to be a whole number from 1 to 4096");
-  require(options.tube_radius >= 0 && std::isfinite(options.tube_radius), "--tube-radius has to be a number >= 0");
-  require(options.film_thickness > 0 && options.film_thickness <= 1500, "--thickness has to be in (0, 1500] nm");
-  require(options.iridescence >= 0 && options.iridescence <= 1, "--iridescence has to be from 0 to 1");
-  return options;
-}
-
-Eigen::Vector3d view_of(const RenderArguments& arguments) {
-  Eigen::Vector3d view(arguments.view[0], arguments.view[1], arguments.view[2]);
-  require(view.allFinite() && view.norm() > 0, "--view has to be a direction, like 0 0 1");
-  return view;
-}
-
-std::vector<fs::path> picture_files(const RenderArguments& arguments) {
-  std::vector<fs::path> files;
+std::vector<Shot> shots_of(const RenderArguments& arguments) {
+  constexpr int most = 100'000;
+  const int sides = arguments.turntable;
+  if (sides < 1 || sides > most)
+    throw base::InputError("--turntable has to be a whole number from 1 to " + std::to_string(most));
+  std::vector<Shot> shots;
   std::set<fs::path> taken;
-  for (const std::string& frame : arguments.frames) {
-    files.push_back(fs::path(arguments.out) / (fs::path(frame).stem().string() + ".png"));
-    if (!taken.insert(files.back()).second)
-      throw base::InputError("two frames would both become " + files.back().string() +
-                             "; draw them into different folders");
-  }
-  return files;
+  for (const std::string& frame : arguments.frames)
+    for (int side = 0; side < sides; ++side) {
+      char number[16] = "";
+      if (sides > 1) std::snprintf(number, sizeof(number), "_%03d", side);
+      const std::string name = fs::path(frame).stem().string() + number + ".png";
+      shots.push_back({frame, fs::path(arguments.out) / name, 360.0 * side / sides});
+      if (!taken.insert(shots.back().file).second)
+        throw base::InputError("two frames would both become " + shots.back().file.string() +
+                               "; draw them into different folders");
+    }
+  return shots;
 }
 
 void draw(const RenderArguments& arguments) {
-  const render::RenderOptions options = render_options(arguments);
-  const Eigen::Vector3d view = view_of(arguments);
-  const std::vector<fs::path> files = picture_files(arguments);
-  std::vector<render::Surface> surfaces;
-  for (const std::string& frame : arguments.frames) surfaces.push_back(read_frame(frame));
+  const Look look = arguments.look.look();
+  const std::vector<Shot> shots = shots_of(arguments);
+  const std::vector<fs::path> frames(arguments.frames.begin(), arguments.frames.end());
   const ThreadLimit limit = thread_limit(arguments.threads);
+  const Painter painter(look, frames, arguments.turntable > 1);
   base::make_folder(arguments.out);
-  const std::vector<render::Image> images = draw_together(surfaces, options, view);
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    render::write_png(images[i], files[i]);
-    std::printf("%s\n", files[i].c_str());
+  for (const Shot& shot : shots) {
+    render::write_png(painter.draw(shot.frame, shot.degrees), shot.file);
+    std::printf("%s\n", shot.file.c_str());
   }
 }
 
@@ -105,26 +79,8 @@ void add_render_command(base::Command& root, const Program&) {
                .help = "folder for the pictures",
                .required = true,
                .offers = Argument::Offers::folders});
-  command.add({.name = "--size", .target = &a->size, .help = "WIDTHxHEIGHT in pixels"});
-  command.add({.name = "--background",
-               .target = &a->background,
-               .help = "dark, white or transparent",
-               .names = {"dark", "white", "transparent"},
-               .names_only = true});
-  command.add({.name = "--view",
-               .target = &a->view,
-               .help = "direction from the films to the eye: X Y Z",
-               .list = Argument::List::words,
-               .count = 3});
-  command.add({.name = "--samples", .target = &a->options.samples, .help = "rays a pixel"});
-  command.add({.name = "--wireframe", .target = &a->options.wireframe, .help = "also draw the triangles' edges"});
-  command.add({.name = "--tube-radius",
-               .target = &a->options.tube_radius,
-               .help = "Plateau borders' radius over half the picture's height"});
-  command.add({.name = "--thickness", .target = &a->options.film_thickness, .help = "film thickness, nm"});
-  command.add({.name = "--iridescence",
-               .target = &a->options.iridescence,
-               .help = "strength of the interference colours, 0 to 1"});
+  a->look.add_to(command);
+  command.add({.name = "--turntable", .target = &a->turntable, .help = "so many pictures of each frame, all around"});
   add_threads(command, a->threads);
   command.set_action([a] {
     draw(*a);

@@ -112,7 +112,7 @@ bool figure1(const ReproduceArguments& arguments, const Program& program) {
     if (runs.back().outcome.end == RunEnd::interrupted) return false;
     std::vector<fs::path> rows;
     rows.reserve(runs.size());
-    for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory / "frames");
+    for (const ComparedRun& run : runs) rows.push_back(run.outcome.directory);
     draw_frames(rows, static_cast<std::size_t>(options.frames) + 1, sheet);
   }
   const auto rows = read_comparison(settings.out / "compare.csv");

@@ -37,6 +37,7 @@ int run_program(int argc, char** argv, std::shared_ptr<const Catalogue> catalogu
     app::add_study_command(root, program);
     app::add_reproduce_command(root, program);
     app::add_render_command(root, program);
+    app::add_movie_command(root, program);
     app::add_inspect_command(root, program);
     app::add_stats_command(root, program);
     app::add_convert_command(root, program);

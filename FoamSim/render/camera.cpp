@@ -31,6 +31,7 @@ void check(const FramingOptions& options) {
   if (!options.up.allFinite()) throw base::InputError("framing: up must be finite");
   if (!(std::isfinite(options.aspect) && options.aspect > 0))
     throw base::InputError("framing: aspect must be positive and finite");
+  if (!(options.zoom > 0 && std::isfinite(options.zoom))) throw base::InputError("framing: zoom must be positive");
   if (!(options.margin >= 0 && options.margin < 0.9)) throw base::InputError("framing: margin must be in [0, 0.9)");
 }
 
@@ -38,6 +39,31 @@ template <class F>
 void for_each_vertex(std::span<const Surface> surfaces, F&& f) {
   for (const Surface& surface : surfaces)
     for (const Vector3d& x : surface.positions) f(x);
+}
+
+Eigen::AlignedBox3d box_of(std::span<const Surface> surfaces, const Eigen::Matrix3d& to_view) {
+  Eigen::AlignedBox3d box;
+  for_each_vertex(surfaces, [&](const Vector3d& x) {
+    if (!x.allFinite()) throw base::InputError("framing: a vertex position is not finite");
+    box.extend(to_view * x);
+  });
+  if (box.isEmpty()) throw base::InputError("framing: the surfaces have no vertices");
+  return box;
+}
+
+// At distance 1 from the origin.
+Camera unit_camera(const FramingOptions& options) {
+  Camera camera;
+  camera.vertical_fov = options.vertical_fov;
+  camera.target.setZero();
+  camera.eye = options.direction.stableNormalized();
+  camera.up = options.up.isZero(0) ? level_up(camera.eye) : options.up;
+  return camera;
+}
+
+Camera zoomed(Camera camera, double zoom) {
+  camera.vertical_fov = std::atan(half_tangent(camera.vertical_fov) / zoom) * 360 / std::numbers::pi;
+  return camera;
 }
 
 }  // namespace
@@ -61,21 +87,12 @@ CameraAxes camera_axes(const Camera& camera) {
 
 Camera framing(std::span<const Surface> surfaces, const FramingOptions& options) {
   check(options);
-  Camera camera;
-  camera.vertical_fov = options.vertical_fov;
-  camera.target.setZero();
-  camera.eye = options.direction.stableNormalized();
-  camera.up = options.up.isZero(0) ? level_up(camera.eye) : options.up;
+  Camera camera = unit_camera(options);
   const CameraAxes axes = camera_axes(camera);
   Eigen::Matrix3d to_view;
   to_view << axes.right.transpose(), axes.up.transpose(), axes.back.transpose();
 
-  Eigen::AlignedBox3d box;
-  for_each_vertex(surfaces, [&](const Vector3d& x) {
-    if (!x.allFinite()) throw base::InputError("framing: a vertex position is not finite");
-    box.extend(to_view * x);
-  });
-  if (box.isEmpty()) throw base::InputError("framing: the surfaces have no vertices");
+  const Eigen::AlignedBox3d box = box_of(surfaces, to_view);
 
   // Smallest distance from the box's centre at which every vertex projects inside the margins.
   const double free = 1 - options.margin;
@@ -91,7 +108,31 @@ Camera framing(std::span<const Surface> surfaces, const FramingOptions& options)
   camera.target = to_view.transpose() * centre;
   camera.eye = camera.target + distance * axes.back;
   camera.up = axes.up;
-  return camera;
+  return zoomed(camera, options.zoom);
+}
+
+Camera framing_all_around(std::span<const Surface> surfaces, const FramingOptions& options) {
+  check(options);
+  const Eigen::AlignedBox3d box = box_of(surfaces, Eigen::Matrix3d::Identity());
+  Camera camera = unit_camera(options);
+  const Vector3d back = camera_axes(camera).back;
+  camera.target = box.center();
+  double radius = 0;
+  for_each_vertex(surfaces, [&](const Vector3d& x) { radius = std::max(radius, (x - camera.target).norm()); });
+  if (!(radius > 0)) radius = 1;
+  const double slope = half_tangent(options.vertical_fov) * (1 - options.margin) * std::min(options.aspect, 1.0);
+  camera.eye = camera.target + radius * std::sqrt(1 + 1 / (slope * slope)) * back;
+  return zoomed(camera, options.zoom);
+}
+
+Camera turned(const Camera& camera, double degrees) {
+  if (!std::isfinite(degrees)) throw base::InputError("camera: an angle to turn by must be finite");
+  const CameraAxes axes = camera_axes(camera);
+  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180, axes.up);
+  Camera result = camera;
+  result.eye = camera.target + turn * (camera.eye - camera.target);
+  result.up = axes.up;
+  return result;
 }
 
 Camera framing(const Surface& surface, const FramingOptions& options) {

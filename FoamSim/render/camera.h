@@ -31,6 +31,8 @@ struct FramingOptions {
   double aspect = 4.0 / 3.0;
   /// Angle between the picture's bottom and top edge, degrees.
   double vertical_fov = 18;
+  /// How many times larger than it has room the surface is drawn, > 0; what does not fit is cut off by the edges.
+  double zoom = 1;
   /// Part of the picture left free on each side of the tighter dimension, in [0, 0.9).
   double margin = 0.06;
 };
@@ -53,6 +55,13 @@ CameraAxes camera_axes(const Camera& camera);
 /// One camera whose picture holds every vertex of every surface, for instance of a time series or a row of runs.
 /// @throws base::InputError  if there is no vertex, a position is not finite, or an option is out of range.
 Camera framing(std::span<const Surface> surfaces, const FramingOptions& options = {});
+
+/// The same so far away that the picture holds every vertex from all sides: for cameras that turn around.
+Camera framing_all_around(std::span<const Surface> surfaces, const FramingOptions& options = {});
+
+/// A camera that has gone round its target, about the direction upwards in its picture: to the right for positive
+/// angles. @param degrees  finite.
+Camera turned(const Camera& camera, double degrees);
 
 /// The same for one surface.
 Camera framing(const Surface& surface, const FramingOptions& options = {});

@@ -19,10 +19,11 @@ using Eigen::Vector3f;
 void check(const Surface& s) {
   const std::size_t n = s.triangles.size();
   if (n == 0) throw base::InputError("render: the surface has no triangles");
-  if (s.labels.size() != n || (!s.hidden.empty() && s.hidden.size() != n)) {
+  const auto fits = [n](std::size_t count) { return count == 0 || count == n; };
+  if (s.labels.size() != n || !fits(s.hidden.size()) || !fits(s.colors.size())) {
     throw base::InputError("render: " + std::to_string(n) + " triangles, but " + std::to_string(s.labels.size()) +
-                           " labels and " + std::to_string(s.hidden.size()) +
-                           " hidden flags (may be 0); the numbers must agree");
+                           " labels, " + std::to_string(s.hidden.size()) + " hidden flags (may be 0) and " +
+                           std::to_string(s.colors.size()) + " colours (may be 0); the numbers must agree");
   }
   for (std::size_t t = 0; t < n; ++t) {
     for (const std::uint32_t v : s.triangles[t]) {
@@ -70,6 +71,10 @@ class Preparation {
   bool flat(std::size_t t) const { return normals_[t].isZero(0); }
   const Vector3d& point(std::uint32_t v) const { return in_.positions[v]; }
 
+  std::pair<std::int32_t, std::int32_t> pair(std::size_t t) const {
+    return std::minmax(in_.labels[t][0], in_.labels[t][1]);
+  }
+
   // +1 or −1: turns the triangle's normal to point from the lower region to the higher.
   double sign(std::size_t t) const { return in_.labels[t][0] <= in_.labels[t][1] ? 1 : -1; }
 
@@ -106,14 +111,17 @@ class Preparation {
     ++edges_;
     const Segment segment{out_.positions[side.low], out_.positions[side.high]};
     if (end - begin == 1) out_.rims.push_back(segment);
-    if (end - begin >= 3) out_.borders.push_back(segment);
+    // Films of bubbles that were taken apart; at a solid, which is hidden, they only end.
+    const bool between_films =
+        in_.hidden.empty() && end - begin == 2 && pair(side.triangle) != pair(sides_[begin + 1].triangle);
+    if (end - begin >= 3 || between_films) out_.borders.push_back(segment);
     if (end - begin == 2) join(side.triangle, sides_[begin + 1].triangle, side);
   }
 
   // Lets two triangles of a film share their normals at both ends of their edge.
   void join(std::uint32_t s, std::uint32_t t, const Side& side) {
     constexpr double kCreaseCosine = 0.5;
-    if (std::minmax(in_.labels[s][0], in_.labels[s][1]) != std::minmax(in_.labels[t][0], in_.labels[t][1])) return;
+    if (pair(s) != pair(t)) return;
     if (!(sign(s) * sign(t) * normals_[s].dot(normals_[t]) > kCreaseCosine)) return;
     for (const std::uint32_t v : {side.low, side.high}) parent_[find(corner(s, v))] = find(corner(t, v));
   }
@@ -153,7 +161,8 @@ class Preparation {
         const bool usable = sum.dot(normals_[t]) > 0;
         corners[i] = (usable ? sum.normalized() : normals_[t]).cast<float>();
       }
-      const auto [p, q] = std::minmax(in_.labels[t][0], in_.labels[t][1]);
+      if (!in_.colors.empty()) out_.corner_colors.push_back(in_.colors[t]);
+      const auto [p, q] = pair(t);
       out_.films.push_back(hash(static_cast<std::uint32_t>(p) + hash(static_cast<std::uint32_t>(q))));
     }
   }

@@ -25,9 +25,11 @@ struct FilmMesh {
   /// less than 60 degrees. So a vertex on a Plateau border has one normal for each film, and a sharp crease stays
   /// sharp.
   std::vector<std::array<Eigen::Vector3f, 3>> corner_normals;
+  /// Linear sRGB at the three corners, as the surface has it; empty where it has none.
+  std::vector<std::array<Eigen::Vector3f, 3>> corner_colors;
   /// A number that is the same for triangles of the same region pair.
   std::vector<std::uint32_t> films;
-  /// Edges with three or more visible triangles.
+  /// Edges with three or more visible triangles, or, where none is hidden, two of different region pairs.
   std::vector<Segment> borders;
   /// Edges with one visible triangle.
   std::vector<Segment> rims;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "Base/error.h"
+#include "FoamSim/render/smooth_lines.h"
 
 namespace foamsim::render {
 namespace {
@@ -74,8 +75,9 @@ RayScene::RayScene(const FilmMesh& mesh, float border_radius, float rim_radius)
   check(device_.get());
   rtcSetSceneFlags(films_.get(), RTC_SCENE_FLAG_ROBUST);
   if (!mesh.triangles.empty()) add_films();
-  add_tubes(mesh.borders, border_radius, TubeKind::border);
-  add_tubes(mesh.rims, rim_radius, TubeKind::rim);
+  constexpr int parts = 4;  // of an edge: its pieces then bend by a few degrees
+  add_tubes(smooth_lines(mesh.borders, parts), border_radius, TubeKind::border);
+  add_tubes(smooth_lines(mesh.rims, parts), rim_radius, TubeKind::rim);
   // Built by one thread, always in the same order: so two tubes hit at exactly one distance are told apart the same way
   // every time. (Asking the device for one thread would instead limit the whole process while the device lives.)
   tbb::task_arena(1).execute([this] {

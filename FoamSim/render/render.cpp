@@ -30,6 +30,7 @@ void check(const RenderOptions& o) {
   require(in(o.thickness_variation, 0, 1), "thickness_variation", "[0, 1]");
   require(in(o.iridescence, 0, 1), "iridescence", "[0, 1]");
   require(in(o.film_density, 0, 100), "film_density", "[0, 100]");
+  require(in(o.color_opacity, 0, 1) && o.color_opacity < 1, "color_opacity", "[0, 1)");
   require(in(o.tube_radius, 0, 1), "tube_radius", "[0, 1]");
   require(in(o.wireframe_width, 0, 100), "wireframe_width", "[0, 100] pixels");
   require(o.exposure > 0 && o.exposure <= 1e6, "exposure", "(0, 1e6]");
@@ -53,13 +54,43 @@ float tent(float u) {
   return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
 }
 
-// Offset of a sample from the middle of its pixel: Hammersley points, shifted at random for each pixel.
-Vector2f sample_offset(std::uint32_t pixel, int sample, int samples) {
-  const std::uint32_t shift = hash(pixel);
-  const float u = (static_cast<float>(sample) + 0.5f) / static_cast<float>(samples) + to_unit(shift);
-  const float v = to_unit(reverse_bits(static_cast<std::uint32_t>(sample)) + hash(shift));
-  return {tent(u - std::floor(u)), tent(v)};
+// The second coordinate of Sobol's sequence; with `reverse_bits` as the first, every 4, 16, 64, ... points from the
+// start on are spread evenly.
+std::uint32_t sobol(std::uint32_t i) {
+  std::uint32_t result = 0;
+  for (std::uint32_t direction = 1u << 31; i != 0; i >>= 1, direction ^= direction >> 1)
+    if ((i & 1) != 0) result ^= direction;
+  return result;
 }
+
+// Offset of a sample from the middle of its pixel, at random for each pixel (Kollig and Keller 2002).
+Vector2f sample_offset(std::uint32_t pixel, int sample) {
+  const std::uint32_t scramble = hash(pixel);
+  const auto i = static_cast<std::uint32_t>(sample);
+  return {tent(to_unit(reverse_bits(i) ^ scramble)), tent(to_unit(sobol(i) ^ hash(scramble)))};
+}
+
+// Samples of a pixel, summed.
+struct Samples {
+  Vector3f added = Vector3f::Zero();
+  float alpha = 0;
+  float darkest = 1, lightest = 0;  // as shown
+  float clearest = 1, densest = 0;
+  int count = 0;
+
+  void add(const Vector3f& light, float opacity) {
+    added += light;
+    alpha += opacity;
+    const float shown = std::sqrt(std::clamp(light.mean(), 0.0f, 1.0f));
+    darkest = std::min(darkest, shown);
+    lightest = std::max(lightest, shown);
+    clearest = std::min(clearest, opacity);
+    densest = std::max(densest, opacity);
+    ++count;
+  }
+  Vector3f mean() const { return added / static_cast<float>(count); }
+  float mean_alpha() const { return alpha / static_cast<float>(count); }
+};
 
 class Picture {
  public:
@@ -74,39 +105,68 @@ class Picture {
         image_(options.width, options.height) {}
 
   Image draw() {
-    constexpr int kTile = 16;
-    const int across = (options_.width + kTile - 1) / kTile;
-    const int down = (options_.height + kTile - 1) / kTile;
+    const int across = (options_.width + tile_size - 1) / tile_size;
+    const int down = (options_.height + tile_size - 1) / tile_size;
     base::parallel_for_each(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 1, [&](std::size_t i) {
-      Shader::Scratch scratch;
       const int tile = static_cast<int>(i);
-      const int left = tile % across * kTile;
-      const int top = tile / across * kTile;
-      for (int y = top; y < std::min(top + kTile, options_.height); ++y)
-        for (int x = left; x < std::min(left + kTile, options_.width); ++x) image_.at(x, y) = pixel(x, y, scratch);
+      draw_tile(tile % across * tile_size, tile / across * tile_size);
     });
     return std::move(image_);
   }
 
  private:
-  Pixel pixel(int x, int y, Shader::Scratch& scratch) const {
-    Vector3f added = Vector3f::Zero();
-    float alpha = 0;
-    const auto seed = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.width) + x;
-    for (int s = 0; s < options_.samples; ++s) {
-      const Vector2f offset = sample_offset(seed, s, options_.samples);
+  static constexpr int tile_size = 32;
+  static constexpr int few_samples = 4;
+
+  // A few samples everywhere, and one pixel around the tile; the others where these differ.
+  void draw_tile(int left, int top) {
+    constexpr int stride = tile_size + 2;
+    const int width = std::min(tile_size, options_.width - left), height = std::min(tile_size, options_.height - top);
+    Shader::Scratch scratch;
+    std::vector<Samples> first(static_cast<std::size_t>(stride) * stride);
+    const auto at = [&first](int x, int y) -> Samples& {
+      return first[static_cast<std::size_t>((y + 1) * stride + x + 1)];
+    };
+    const int few = std::min(few_samples, options_.samples);
+    const int around = few < options_.samples ? 1 : 0;
+    for (int y = -around; y < height + around; ++y)
+      for (int x = -around; x < width + around; ++x) sample(left + x, top + y, 0, few, scratch, at(x, y));
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        Samples pixel = at(x, y);
+        bool differ = differs(pixel);
+        for (int dy = -around; dy <= around; ++dy)
+          for (int dx = -around; dx <= around; ++dx) differ = differ || differs(pixel, at(x + dx, y + dy));
+        if (differ) sample(left + x, top + y, few, options_.samples, scratch, pixel);
+        image_.at(left + x, top + y) = encoded(pixel);
+      }
+  }
+
+  // By what can be seen of a staircase: 1/16 of the way from black to white.
+  static constexpr float visible = 0.06f;
+  static bool differs(const Samples& s) { return s.lightest - s.darkest > visible || s.densest - s.clearest > visible; }
+  static bool differs(const Samples& a, const Samples& b) {
+    const auto shown = [](const Samples& s) { return std::sqrt(std::clamp(s.mean().mean(), 0.0f, 1.0f)); };
+    return std::abs(shown(a) - shown(b)) > visible || std::abs(a.mean_alpha() - b.mean_alpha()) > visible;
+  }
+
+  void sample(int x, int y, int begin, int end, Shader::Scratch& scratch, Samples& samples) const {
+    const auto seed =
+        static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.width) + static_cast<std::uint32_t>(x);
+    for (int s = begin; s < end; ++s) {
+      const Vector2f offset = sample_offset(seed, s);
       const Vector2f place(pixel_ * (static_cast<float>(x) + 0.5f + offset.x()) - pixel_ * 0.5f * options_.width,
                            1 - pixel_ * (static_cast<float>(y) + 0.5f + offset.y()));
       const Light light = shader_.eye_light(eye_ray(place), scratch);
       const Vector3f total = light.added + light.transmitted.cwiseProduct(backdrop(place));
       // A sample brighter than white would spoil the smoothing of its pixel's edges.
-      added += (static_cast<float>(options_.exposure) * total).cwiseMin(tone_.white);
-      alpha += 1 - light.transmitted.mean();
+      samples.add((static_cast<float>(options_.exposure) * total).cwiseMin(tone_.white), 1 - light.transmitted.mean());
     }
-    added /= static_cast<float>(options_.samples);
-    alpha /= static_cast<float>(options_.samples);
-    return options_.background == Background::transparent ? encode_alpha(added, alpha, tone_)
-                                                          : encode_opaque(added, tone_);
+  }
+
+  Pixel encoded(const Samples& samples) const {
+    return options_.background == Background::transparent ? encode_alpha(samples.mean(), samples.mean_alpha(), tone_)
+                                                          : encode_opaque(samples.mean(), tone_);
   }
 
   // `place`: in the plane through the target, in scene units.

@@ -20,7 +20,7 @@ struct RenderOptions {
   /// Size, pixels, 1 … 32768 each.
   int width = 800;
   int height = 600;
-  /// Rays a pixel, 1 … 4096.
+  /// Most rays a pixel, 1 … 4096; four suffice where neither they nor the pixels around differ by what can be seen.
   int samples = 16;
   Background background = Background::dark;
 
@@ -32,6 +32,8 @@ struct RenderOptions {
   double iridescence = 0.5;
   /// Optical depth of one film crossed at a right angle (a faint bluish haze that makes films visible), ≥ 0; 0: clear.
   double film_density = 0.035;
+  /// Part of the light behind a film with colours of its own that it takes, seen at a right angle, in [0, 1).
+  double color_opacity = 0.5;
   /// Films reflect other films (one bounce) rather than only the studio.
   bool interreflection = true;
 
@@ -55,7 +57,8 @@ struct RenderOptions {
 /// Each ray is followed straight through all films, front to back (films are far too thin to bend it). Each film
 /// reflects the Airy reflectance of a water layer in air, integrated over the visible spectrum (see film_optics.h), of
 /// a procedural studio, and lets the rest through. Normals are interpolated within a film and never across a Plateau
-/// border. Edges with three or more visible triangles are drawn as tubes. Triangles of zero area are skipped.
+/// border. Edges with three or more visible triangles are drawn as tubes, smoothly from one to the next. Triangles of
+/// zero area are skipped.
 ///
 /// Uses the ambient TBB arena. The same input gives the same bits for any number of threads.
 /// @throws base::InputError  if the surface has no triangles, its arrays disagree, an index is out of range, a

@@ -16,8 +16,10 @@ constexpr float kNegligible = 0.003f;
 // Bounds that keep the cost of a ray through a foam of thousands of bubbles in proportion to what can be seen: films on
 // an eye ray, films on it that mirror other films (the rest mirror the studio only), films on a mirrored ray.
 constexpr std::size_t kMostFilms = 96;
-constexpr int kMostMirrors = 5;
-constexpr std::size_t kMostMirrored = 6;
+constexpr int kMostMirrors = 3;
+constexpr std::size_t kMostMirrored = 4;
+// Films that mirror less than this part of the light mirror the studio only.
+constexpr float kLeastMirrored = 0.01f;
 // Shading never looks along a film more flatly than this: interpolated normals can even turn away from the viewer.
 constexpr float kSmallestCosine = 0.02f;
 
@@ -35,6 +37,7 @@ Shader::Shader(const FilmMesh& mesh, const CameraAxes& axes, const RenderOptions
       environment_(axes, options.background == Background::white ? 0.6f : 1.0f),
       thickness_(options.film_thickness, options.thickness_variation, axes.up.cast<float>()),
       colors_(thickness_.max()),
+      color_density_(static_cast<float>(-std::log1p(-options.color_opacity))),
       tube_color_(options.background == Background::dark ? Vector3f(0.55f, 0.72f, 0.90f)
                                                          : Vector3f(0.30f, 0.40f, 0.52f)) {}
 
@@ -52,7 +55,7 @@ Light Shader::eye_light(const Ray& ray, Scratch& scratch) const {
       light.transmitted *= 1 - line_opacity;
     }
     line_opacity *= 0.3f;  // layers further back are drawn more faintly, or their lines would be a thicket
-    cross_film(ray, hit, light, mirrors-- > 0 ? &scratch[1] : nullptr);
+    cross_film(ray, hit, Seen::directly, light, mirrors-- > 0 ? &scratch[1] : nullptr);
   }
   if (tube) {
     light.added += light.transmitted.cwiseProduct(tube_light(ray, *tube));
@@ -81,24 +84,37 @@ Shader::FilmPoint Shader::film_point(const Ray& ray, const FilmHit& hit) const {
   return p;
 }
 
-Vector3f Shader::film_reflectance_at(const FilmPoint& p, std::uint32_t triangle) const {
-  const Vector3f physical = colors_.reflectance(p.cosine, thickness_(p.position, mesh_.films[triangle]));
+Vector3f Shader::film_reflectance_at(const FilmPoint& p, std::uint32_t triangle, Seen seen) const {
+  const float thickness = seen == Seen::directly ? thickness_(p.position, mesh_.films[triangle])
+                                                 : static_cast<float>(options_.film_thickness);
+  const Vector3f physical = colors_.reflectance(p.cosine, thickness);
   const Vector3f grey = Vector3f::Constant(physical.mean());
   return grey + static_cast<float>(options_.iridescence) * (physical - grey);
 }
 
 // Adds one film to the light: it reflects R, its haze scatters a little, the rest goes through.
-void Shader::cross_film(const Ray& ray, const FilmHit& hit, Light& light, std::vector<FilmHit>* bounce) const {
+void Shader::cross_film(const Ray& ray, const FilmHit& hit, Seen seen, Light& light,
+                        std::vector<FilmHit>* bounce) const {
   const FilmPoint p = film_point(ray, hit);
-  const Vector3f reflectance = film_reflectance_at(p, hit.triangle);
+  const Vector3f reflectance = film_reflectance_at(p, hit.triangle, seen);
   const Vector3f weight = light.transmitted.cwiseProduct(reflectance);
-  const bool follow = bounce != nullptr && p.above && weight.maxCoeff() > kNegligible;
+  const bool follow = bounce != nullptr && p.above && weight.maxCoeff() > kLeastMirrored;
   const Vector3f mirrored = follow ? reflected_light(p, *bounce) : environment_.radiance(p.reflected);
   light.added += weight.cwiseProduct(mirrored);
   light.transmitted -= weight;
+  add_haze(p, hit, light);
+}
 
-  const float haze = 1 - std::exp(-static_cast<float>(options_.film_density) / std::max(p.cosine, 0.08f));
-  const Vector3f tint(0.72f, 0.86f, 1.0f);
+void Shader::add_haze(const FilmPoint& p, const FilmHit& hit, Light& light) const {
+  Vector3f tint(0.72f, 0.86f, 1.0f);
+  float density = static_cast<float>(options_.film_density);
+  if (!mesh_.corner_colors.empty()) {
+    const auto& corners = mesh_.corner_colors[hit.triangle];
+    constexpr float bright = 1.6f;  // the studio lights a matt surface with about 1 over this
+    tint = bright * ((1 - hit.u - hit.v) * corners[0] + hit.u * corners[1] + hit.v * corners[2]);
+    density = color_density_;
+  }
+  const float haze = 1 - std::exp(-density / std::max(p.cosine, 0.08f));
   // Thin haze is lit from both sides.
   const Vector3f lit = 0.5f * (environment_.ambient(p.normal) + environment_.ambient(-p.normal));
   light.added += haze * light.transmitted.cwiseProduct(tint).cwiseProduct(lit);
@@ -111,7 +127,7 @@ Vector3f Shader::reflected_light(const FilmPoint& p, std::vector<FilmHit>& hits)
   const Ray ray{p.position, p.reflected};
   scene_.films(ray, kOffset, kFar, kMostMirrored, hits);
   Light light;
-  for (const FilmHit& hit : hits) cross_film(ray, hit, light, nullptr);
+  for (const FilmHit& hit : hits) cross_film(ray, hit, Seen::mirrored, light, nullptr);
   return light.added + light.transmitted.cwiseProduct(environment_.radiance(p.reflected));
 }
 

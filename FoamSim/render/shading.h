@@ -41,8 +41,12 @@ class Shader {
   };
 
   FilmPoint film_point(const Ray& ray, const FilmHit& hit) const;
-  Eigen::Vector3f film_reflectance_at(const FilmPoint& p, std::uint32_t triangle) const;
-  void cross_film(const Ray& ray, const FilmHit& hit, Light& light, std::vector<FilmHit>* bounce) const;
+  // Whether a film is seen by the eye, or in another film, where it has the mean thickness everywhere.
+  enum class Seen { directly, mirrored };
+
+  Eigen::Vector3f film_reflectance_at(const FilmPoint& p, std::uint32_t triangle, Seen seen) const;
+  void cross_film(const Ray& ray, const FilmHit& hit, Seen seen, Light& light, std::vector<FilmHit>* bounce) const;
+  void add_haze(const FilmPoint& p, const FilmHit& hit, Light& light) const;
   Eigen::Vector3f reflected_light(const FilmPoint& p, std::vector<FilmHit>& hits) const;
   Eigen::Vector3f tube_light(const Ray& ray, const TubeHit& hit) const;
   bool on_line(const FilmHit& hit) const;
@@ -54,6 +58,7 @@ class Shader {
   Environment environment_;
   ThicknessField thickness_;
   FilmColorTable colors_;
+  float color_density_;         // optical depth of a coloured film
   Eigen::Vector3f tube_color_;  // stands out from the backdrop
 };
 

@@ -17,6 +17,9 @@ struct Surface {
   std::vector<std::array<std::int32_t, 2>> labels;
   /// Optional: one flag a triangle, nonzero leaves it out of the picture (solid patches). Empty: nothing is hidden.
   std::vector<char> hidden;
+  /// Optional: linear sRGB at the three corners of each triangle, with which its film is coloured in place of
+  /// interference (see `RenderOptions::color_opacity`). Empty: clear films.
+  std::vector<std::array<Eigen::Vector3f, 3>> colors = {};
 };
 
 }  // namespace foamsim::render

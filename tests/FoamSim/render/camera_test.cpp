@@ -72,6 +72,37 @@ TEST(Framing, scales_with_the_unit_of_length) {
   EXPECT_LT((large.eye - 1e6 * small.eye).norm(), 1e-6);
 }
 
+TEST(Framing, zooms_by_the_factor) {
+  const Surface s = double_bubble(12);
+  FramingOptions options;
+  const double plain = camera_axes(framing(s, options)).half_height;
+  options.zoom = 2.5;
+  EXPECT_NEAR(camera_axes(framing(s, options)).half_height, plain / 2.5, 1e-12);
+  options.zoom = 0;
+  EXPECT_THROW(framing(s, options), base::InputError);
+}
+
+TEST(Framing, all_around_shows_everything_from_every_side) {
+  const Surface s = double_bubble(12);
+  FramingOptions options;
+  options.aspect = 0.7;
+  const Camera camera = framing_all_around(std::span(&s, 1), options);
+  for (int degrees = 0; degrees < 360; degrees += 30)
+    for (const Vector3d& x : s.positions) {
+      const Eigen::Vector2d place = project(turned(camera, degrees), options.aspect, x);
+      EXPECT_LE(std::max(std::abs(place.x()), std::abs(place.y())), 1) << degrees;
+    }
+}
+
+TEST(Camera, goes_round_its_target_to_the_right) {
+  Camera camera;
+  camera.eye = {1, 2, 7};
+  camera.target = {1, 2, 3};
+  EXPECT_TRUE(turned(camera, 90).eye.isApprox(Vector3d(5, 2, 3), 1e-12));
+  EXPECT_TRUE(turned(camera, 360).eye.isApprox(camera.eye, 1e-12));
+  EXPECT_THROW(turned(camera, std::numeric_limits<double>::infinity()), base::InputError);
+}
+
 TEST(Framing, refuses_what_it_cannot_frame) {
   EXPECT_THROW(framing(std::span<const Surface>{}), base::InputError);
   EXPECT_THROW(framing(Surface{}), base::InputError);

@@ -15,9 +15,9 @@ Pixel ink(Background background) {
   return background == Background::dark ? Pixel{230, 236, 242, 255} : Pixel{30, 34, 40, 255};
 }
 
-// Pixels a dot of a letter: about a fortieth of the picture's height a line.
+// Pixels a dot of a letter: a line takes about a twentieth of the picture's height.
 int text_scale(const Image& image) {
-  return std::max(1, image.height() / 300);
+  return std::max(1, image.height() / 200);
 }
 
 std::string short_number(double value) {

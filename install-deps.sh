@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build git
   # libraries
   libeigen3-dev libsuitesparse-dev libboost-dev libtbb-dev libhwy-dev libcli11-dev libtomlplusplus-dev
-  nlohmann-json3-dev libembree-dev libpng-dev voro++-dev
+  nlohmann-json3-dev libembree-dev libpng-dev zlib1g-dev voro++-dev
   # several machines
   libopenmpi-dev openmpi-bin
   # tests and benchmarks

@@ -11,6 +11,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
 find_package(Voro REQUIRED)
 # Several processes, on one or more machines, share out a run where this is found.
 find_package(MPI COMPONENTS CXX)

@@ -80,6 +80,10 @@ void validate(const SurfaceData& data) {
   }
   validate_arrays(data.vertex_arrays, data.positions.size(), "vertices");
   validate_arrays(data.triangle_arrays, data.triangles.size(), "triangles");
+  for (std::size_t i = 0; i < data.lines.size(); ++i)
+    require(std::ranges::max(data.lines[i]) < data.positions.size(),
+            "line " + std::to_string(i) + ": vertex " + std::to_string(std::ranges::max(data.lines[i])) +
+                " does not exist");
 }
 
 std::uint32_t region_count(const SurfaceData& data) {

@@ -43,6 +43,7 @@ struct DataArray {
   std::string name;
   int components = 1;
   std::vector<double> values;
+  std::string unit = {};  ///< in L and T ("L^2/T"); empty: none, or not known
   bool operator==(const DataArray&) const = default;
 };
 
@@ -57,6 +58,8 @@ struct SurfaceData {
   std::vector<PairArray> pair_arrays;      ///< .rec: one
   std::vector<DataArray> vertex_arrays;    ///< .vtp
   std::vector<DataArray> triangle_arrays;  ///< .vtp
+  /// .vtp: edges that are drawn besides the triangles, as pairs of vertices (Plateau borders).
+  std::vector<std::array<std::uint32_t, 2>> lines;
   bool operator==(const SurfaceData&) const = default;
 };
 

@@ -34,6 +34,12 @@ void renumber_vertices(SurfaceData& data, const std::vector<std::uint32_t>& numb
     keep_values(kept, array.values, static_cast<std::size_t>(array.components));
   for (auto& triangle : data.triangles)
     for (std::uint32_t& corner : triangle) corner = numbers[corner];
+  std::erase_if(data.lines, [&](const auto& line) {
+    return numbers[line[0]] == dropped_vertex || numbers[line[1]] == dropped_vertex ||
+           numbers[line[0]] == numbers[line[1]];
+  });
+  for (auto& line : data.lines)
+    for (std::uint32_t& end : line) end = numbers[end];
   std::erase_if(data.held, [&](const HeldVertex& held) { return numbers[held.vertex] == dropped_vertex; });
   for (HeldVertex& held : data.held) held.vertex = numbers[held.vertex];
 }
@@ -41,6 +47,7 @@ void renumber_vertices(SurfaceData& data, const std::vector<std::uint32_t>& numb
 void replace_triangles(SurfaceData& data, std::vector<std::array<std::uint32_t, 3>> triangles,
                        const std::vector<std::size_t>& parents) {
   data.triangles = std::move(triangles);
+  data.lines.clear();  // edges of what was there
   keep_values(parents, data.labels);
   for (DataArray& array : data.triangle_arrays)
     keep_values(parents, array.values, static_cast<std::size_t>(array.components));

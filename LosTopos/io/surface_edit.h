@@ -17,7 +17,7 @@ inline constexpr std::uint32_t dropped_vertex = Vertex::invalid_index;
 void renumber_vertices(SurfaceData& data, const std::vector<std::uint32_t>& numbers);
 
 /// Puts `triangles` in the place of all there are; each has the labels and the array values of the one that was
-/// `parents[i]`.
+/// `parents[i]`. Lines go.
 void replace_triangles(SurfaceData& data, std::vector<std::array<std::uint32_t, 3>> triangles,
                        const std::vector<std::size_t>& parents);
 

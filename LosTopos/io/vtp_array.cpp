@@ -3,10 +3,12 @@
 #include <bit>
 
 #include "Base/io/number_text.h"
+#include "Base/machine/memory.h"
 #include "LosTopos/io/base64.h"
 #include "LosTopos/io/byte_order.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/text_reader.h"
+#include "LosTopos/io/vtk_compression.h"
 
 namespace lostopos {
 namespace {
@@ -52,6 +54,28 @@ std::vector<double> decode_text(const XmlReader& xml, const DataArray& array) {
   return values;
 }
 
+// What the file stands for may be a thousand times of what it takes.
+void require_memory_for(const XmlReader& xml, const DataArray& array, std::uint64_t bytes, std::size_t width) {
+  constexpr double share_of_free = 0.8;
+  const double needed = static_cast<double>(bytes) * (1 + sizeof(double) / static_cast<double>(width));
+  const auto available = base::available_memory();
+  if (available && needed > share_of_free * *available)
+    fail(xml, array,
+         "reading it takes " + base::bytes_in_words(needed) + " of memory; " +
+             base::bytes_in_words(share_of_free * *available) + " can be taken here");
+}
+
+std::vector<double> decode_compressed(const XmlReader& xml, const DataArray& array, const VtkEncoding& encoding,
+                                      const NumberType& type, std::string_view decoded) {
+  const std::endian order = encoding.little_endian ? std::endian::little : std::endian::big;
+  const auto size = vtk_decompressed_size(decoded, order, encoding.wide_header);
+  if (!size || *size % type.size != 0) fail(xml, array, "its compressed blocks are damaged");
+  require_memory_for(xml, array, *size, type.size);
+  const auto bytes = vtk_decompress(decoded, order, encoding.wide_header);
+  if (!bytes) fail(xml, array, "its compressed blocks are damaged");
+  return type.convert(*bytes, order);
+}
+
 std::vector<double> decode_binary(const XmlReader& xml, const DataArray& array, const VtkEncoding& encoding,
                                   const NumberType& type) {
   const auto decoded = base64_decode(xml.text());
@@ -60,6 +84,7 @@ std::vector<double> decode_binary(const XmlReader& xml, const DataArray& array, 
   const std::size_t header = encoding.wide_header ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
   // ParaView leaves out the header of an array without numbers.
   if (decoded->empty()) return {};
+  if (encoding.compressed) return decode_compressed(xml, array, encoding, type, *decoded);
   if (decoded->size() < header) fail(xml, array, "its content is shorter than its byte count");
   const std::uint64_t count = encoding.wide_header ? number_from_bytes<std::uint64_t>(decoded->data(), order)
                                                    : number_from_bytes<std::uint32_t>(decoded->data(), order);
@@ -78,9 +103,11 @@ VtkEncoding read_vtk_root(const XmlReader& xml, const char* wanted_type) {
     xml.fail("not a VTK file: its root element is " + in_quotes(xml.tag()) + ", not 'VTKFile'");
   if (const std::string type = xml.attribute("type"); type != wanted_type)
     xml.fail("a VTK file of type " + in_quotes(type) + "; '" + wanted_type + "' is wanted");
-  if (!xml.attribute("compressor", "").empty())
-    xml.fail("compressed arrays are not read; save the file without compression");
+  const std::string compressor = xml.attribute("compressor", "");
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+    xml.fail("arrays compressed by " + in_quotes(compressor) + " are not read; save the file with zlib, or without");
   VtkEncoding encoding;
+  encoding.compressed = !compressor.empty();
   const std::string byte_order = xml.attribute("byte_order", "LittleEndian");
   if (byte_order != "LittleEndian" && byte_order != "BigEndian")
     xml.fail("byte_order is " + in_quotes(byte_order) + "; LittleEndian and BigEndian are known");
@@ -108,7 +135,13 @@ DataArray read_vtk_array(XmlReader& xml, const VtkEncoding& encoding) {
   } else {
     fail(xml, array, "its format is " + in_quotes(format) + "; ascii and binary (inline, not appended) are read");
   }
-  xml.skip_element();
+  while (xml.next() == XmlReader::Event::Start) {  // ends with the array, or throws
+    if (xml.tag() == "InformationKey" && xml.attribute("name", "") == "UNITS_LABEL") {
+      std::string_view rest = xml.text();
+      array.unit = take_word(rest);
+    }
+    xml.skip_element();
+  }
   return array;
 }
 

@@ -23,9 +23,13 @@ struct PlacedArray {
 
 // The first piece of the file as it stands; whether it makes a surface is the next question.
 struct Piece {
-  std::uint64_t vertices = 0, triangles = 0;
-  std::vector<PlacedArray> points, polys, point_data, cell_data;
+  std::uint64_t vertices = 0, lines = 0, triangles = 0;
+  std::vector<PlacedArray> points, line_cells, polys, point_data, cell_data;
 };
+
+std::string line_count_problem(std::uint64_t lines) {
+  return lines <= most_triangles ? "" : "there are " + std::to_string(lines) + " lines, more than can be read";
+}
 
 class PieceReader {
  public:
@@ -68,10 +72,12 @@ class PieceReader {
   void read_piece() {
     piece_.vertices = count("NumberOfPoints", "");
     piece_.triangles = count("NumberOfPolys", "0");
-    for (const std::string& problem : {vertex_count_problem(piece_.vertices), triangle_count_problem(piece_.triangles)})
+    piece_.lines = count("NumberOfLines", "0");
+    for (const std::string& problem : {vertex_count_problem(piece_.vertices), triangle_count_problem(piece_.triangles),
+                                       line_count_problem(piece_.lines)})
       if (!problem.empty()) xml_.fail(problem);
-    for (const char* other : {"NumberOfVerts", "NumberOfLines", "NumberOfStrips"})
-      if (count(other, "0") != 0) xml_.fail(std::string(other) + " is not 0; only polygons are read");
+    for (const char* other : {"NumberOfVerts", "NumberOfStrips"})
+      if (count(other, "0") != 0) xml_.fail(std::string(other) + " is not 0; only lines and polygons are read");
     while (xml_.next() == Event::Start) {  // ends with the piece, or throws
       if (xml_.tag() == "PointData") {
         read_arrays(piece_.point_data);
@@ -79,6 +85,8 @@ class PieceReader {
         read_arrays(piece_.cell_data);
       } else if (xml_.tag() == "Points") {
         read_arrays(piece_.points);
+      } else if (xml_.tag() == "Lines") {
+        read_arrays(piece_.line_cells);
       } else if (xml_.tag() == "Polys") {
         read_arrays(piece_.polys);
       } else {
@@ -109,6 +117,8 @@ class SurfaceAssembler {
   SurfaceData assemble() {
     if (piece_.vertices > 0) assemble_points();
     if (piece_.triangles > 0) assemble_triangles();
+    assemble_lines();
+    drop_values_of_lines();
     assemble_labels();
     move_arrays(piece_.point_data, piece_.vertices, data_.vertex_arrays);
     move_arrays(piece_.cell_data, piece_.triangles, data_.triangle_arrays);
@@ -162,6 +172,46 @@ class SurfaceAssembler {
       for (std::size_t i = 0; i < 3; ++i) corners[i] = whole(*ids, 3 * t + i);
       reject(*ids, corner_problem(corners, piece_.vertices), "polygon", t);
       data_.triangles.push_back(checked_corners(corners));
+    }
+  }
+
+  // Lines of two ends each; longer ones, which other programs write, are left out.
+  void assemble_lines() {
+    const auto offsets =
+        std::ranges::find_if(piece_.line_cells, [](const PlacedArray& array) { return array.data.name == "offsets"; });
+    const auto ids = std::ranges::find_if(piece_.line_cells,
+                                          [](const PlacedArray& array) { return array.data.name == "connectivity"; });
+    if (piece_.lines == 0 || offsets == piece_.line_cells.end() || ids == piece_.line_cells.end()) return;
+    require_length(*offsets, piece_.lines, 1);
+    std::int64_t begin = 0;
+    for (std::size_t i = 0; i < piece_.lines; ++i) {
+      const std::int64_t end = whole(*offsets, i);
+      if (end < begin || static_cast<std::uint64_t>(end) > ids->data.values.size())
+        fail(*offsets, "line " + std::to_string(i) + " ends outside of 'connectivity'");
+      if (end - begin == 2) data_.lines.push_back(line_at(*ids, static_cast<std::size_t>(begin)));
+      begin = end;
+    }
+  }
+
+  std::array<std::uint32_t, 2> line_at(const PlacedArray& ids, std::size_t begin) const {
+    std::array<std::uint32_t, 2> line{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::int64_t end = whole(ids, begin + i);
+      if (end < 0 || static_cast<std::uint64_t>(end) >= piece_.vertices)
+        fail(ids, "a line names vertex " + std::to_string(end) + ", which does not exist");
+      line[i] = static_cast<std::uint32_t>(end);
+    }
+    return line;
+  }
+
+  // Lines come before polygons among the cells; what cells' arrays say of them is not kept.
+  void drop_values_of_lines() {
+    if (piece_.lines == 0) return;
+    for (PlacedArray& array : piece_.cell_data) {
+      const auto components = static_cast<std::uint64_t>(array.data.components);
+      require_length(array, piece_.lines + piece_.triangles, components);
+      const auto end = array.data.values.begin() + static_cast<std::ptrdiff_t>(piece_.lines * components);
+      array.data.values.erase(array.data.values.begin(), end);
     }
   }
 

@@ -1,9 +1,10 @@
+#include <limits>
 #include <set>
 
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
-#include "LosTopos/io/base64.h"
 #include "LosTopos/io/byte_order.h"
+#include "LosTopos/io/vtk_compression.h"
 #include "LosTopos/io/vtp.h"
 #include "LosTopos/io/xml_reader.h"
 
@@ -24,60 +25,70 @@ class VtpWriter {
 
   void write() {
     out_ << "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+            "compressor=\"vtkZLibDataCompressor\">\n"
             "<PolyData>\n<Piece NumberOfPoints=\""
-         << data_.positions.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
-         << data_.triangles.size() << "\">\n";
+         << data_.positions.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << data_.lines.size()
+         << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << data_.triangles.size() << "\">\n";
     out_ << "<PointData>\n";
-    for (const DataArray& array : data_.vertex_arrays) write_array(array);
+    for (const DataArray& array : data_.vertex_arrays) write_array(array, 0);
     out_ << "</PointData>\n<CellData Scalars=\"region_a\">\n";
     write_labels("region_a", &Labels::p);
     write_labels("region_b", &Labels::q);
-    for (const DataArray& array : data_.triangle_arrays) write_array(array);
+    for (const DataArray& array : data_.triangle_arrays) write_array(array, data_.lines.size());
     out_ << "</CellData>\n<Points>\n";
     start_bytes(data_.positions.size() * 3 * sizeof(double));
     for (const Vec3& position : data_.positions)
       for (int i = 0; i < 3; ++i) append_bytes(bytes_, position[i]);
-    write_bytes("Float64", "Points", 3);
-    out_ << "</Points>\n<Polys>\n";
-    write_polys();
+    write_bytes("Float64", "Points", 3, "L");
+    out_ << "</Points>\n<Lines>\n";
+    write_cells(data_.lines);
+    out_ << "</Lines>\n<Polys>\n";
+    write_cells(data_.triangles);
     out_ << "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
   }
 
  private:
-  void write_array(const DataArray& array) {
-    start_bytes(array.values.size() * sizeof(double));
+  // Lines come before triangles among the cells, and have no values.
+  void write_array(const DataArray& array, std::size_t lines) {
+    const std::size_t without = lines * static_cast<std::size_t>(array.components);
+    start_bytes((without + array.values.size()) * sizeof(double));
+    for (std::size_t i = 0; i < without; ++i) append_bytes(bytes_, std::numeric_limits<double>::quiet_NaN());
     for (const double value : array.values) append_bytes(bytes_, value);
-    write_bytes("Float64", array.name, array.components);
+    write_bytes("Float64", array.name, array.components, array.unit);
   }
 
   void write_labels(const char* name, Region Labels::*side) {
-    start_bytes(data_.labels.size() * sizeof(std::int32_t));
+    start_bytes((data_.lines.size() + data_.labels.size()) * sizeof(std::int32_t));
+    for (std::size_t i = 0; i < data_.lines.size(); ++i) append_bytes(bytes_, std::int32_t{-1});
     for (const Labels& labels : data_.labels) append_bytes(bytes_, static_cast<std::int32_t>((labels.*side).index()));
-    write_bytes("Int32", name, 1);
+    write_bytes("Int32", name, 1, {});
   }
 
-  void write_polys() {
-    start_bytes(data_.triangles.size() * 3 * sizeof(std::int64_t));
-    for (const auto& corners : data_.triangles)
+  template <std::size_t N>
+  void write_cells(const std::vector<std::array<std::uint32_t, N>>& cells) {
+    start_bytes(cells.size() * N * sizeof(std::int64_t));
+    for (const auto& corners : cells)
       for (const std::uint32_t corner : corners) append_bytes(bytes_, static_cast<std::int64_t>(corner));
-    write_bytes("Int64", "connectivity", 1);
-    start_bytes(data_.triangles.size() * sizeof(std::int64_t));
-    for (std::size_t t = 1; t <= data_.triangles.size(); ++t) append_bytes(bytes_, static_cast<std::int64_t>(3 * t));
-    write_bytes("Int64", "offsets", 1);
+    write_bytes("Int64", "connectivity", 1, {});
+    start_bytes(cells.size() * sizeof(std::int64_t));
+    for (std::size_t i = 1; i <= cells.size(); ++i) append_bytes(bytes_, static_cast<std::int64_t>(N * i));
+    write_bytes("Int64", "offsets", 1, {});
   }
 
-  // An array's bytes start with their number.
-  void start_bytes(std::uint64_t count) {
+  void start_bytes(std::size_t count) {
     bytes_.clear();
-    bytes_.reserve(count + sizeof(count));
-    append_bytes(bytes_, count);
+    bytes_.reserve(count);
   }
 
-  void write_bytes(const char* type, const std::string& name, int components) {
+  void write_bytes(const char* type, const std::string& name, int components, const std::string& unit) {
     out_ << "<DataArray type=\"" << type << "\" Name=\"" << xml_escape(name) << "\" NumberOfComponents=\"" << components
          << "\" format=\"binary\">\n"
-         << base64_encode(bytes_) << "\n</DataArray>\n";
+         << vtk_compress(bytes_) << "\n";
+    if (!unit.empty())
+      out_ << "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">" << xml_escape(unit)
+           << "</InformationKey>\n";
+    out_ << "</DataArray>\n";
   }
 
   std::ostream& out_;

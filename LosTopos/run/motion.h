@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "LosTopos/io/surface_data.h"
+#include "LosTopos/io/film_faces.h"
 #include "LosTopos/run/step_work.h"
 
 namespace lostopos::run {
@@ -40,8 +40,8 @@ class Motion {
 
   /// The tables that a run of this motion writes.
   virtual std::vector<Table> tables() const { return {}; }
-  /// The surface with its arrays, for vtp files.
-  virtual SurfaceData picture() const { return from_mesh(mesh()); }
+  /// The surface with its arrays, for vtp files: see film_picture.
+  virtual SurfaceData picture() const { return film_picture(from_mesh(mesh())); }
   /// The surface as a .rec file holds it: with circulation and what is held, where there are such.
   virtual SurfaceData record() const { return from_mesh(mesh()); }
   /// Whether it can be taken up again from a checkpoint.

@@ -78,6 +78,36 @@ TEST_F(VtpTest, EveryNamedAttributeThatIsANumberIsWritten) {
   EXPECT_TRUE(from_mesh(mesh).vertex_arrays.empty());
 }
 
+TEST_F(VtpTest, LinesAndUnitsStayAndLinesHaveNoValues) {
+  SurfaceData data = with_arrays();
+  data.lines = {{0, 1}, {1, 2}};
+  data.triangle_arrays[0].unit = "L^2/T";
+  write_vtp(path("a.vtp"), data);
+  EXPECT_EQ(read_vtp(path("a.vtp")), data);
+  data.lines.push_back({0, 6});
+  expect_contains(input_error([&] { write_vtp(path("b.vtp"), data); }), "line 2: vertex 6 does not exist");
+}
+
+// An array of a thousand times its bytes, and blocks that are cut or say what they do not hold.
+TEST_F(VtpTest, CompressedArraysAreReadAndDamagedOnesRefused) {
+  SurfaceData data = with_arrays();
+  data.vertex_arrays = {{"zero", 1000, std::vector<double>(6000, 0)}, {"one", 1000, std::vector<double>(6000, 1)}};
+  write_vtp(path("a.vtp"), data);
+  EXPECT_EQ(read_vtp(path("a.vtp")), data);
+  const std::string text = content_of(path("a.vtp"));
+  EXPECT_LT(text.size(), 8000U) << "of 96,000 bytes";
+  const std::size_t begin = text.find("binary\">\n") + 9;
+  for (std::size_t i = begin; i < begin + 44; ++i) {
+    std::string damaged = text;
+    damaged[i] = damaged[i] == 'f' ? 'g' : 'f';
+    try {
+      read_vtp(write("bad.vtp", damaged));  // what zlib passes over may be read
+    } catch (const base::InputError& error) {
+      expect_contains(error.what(), "array 'zero'");
+    }
+  }
+}
+
 TEST_F(VtpTest, EmptySurfaceRoundTrip) {
   write_vtp(path("a.vtp"), {});
   EXPECT_EQ(read_vtp(path("a.vtp")), SurfaceData{});
@@ -114,7 +144,7 @@ TEST_F(VtpTest, ErrorsNameLineAndArray) {
   expect_contains(error_of(""), "no XML element");
   expect_contains(error_of("ply\n"), "line 1: text stands outside");
   expect_contains(wrong("PolyData\" v", "UnstructuredGrid\" v"), "line 2: a VTK file of type 'UnstructuredGrid'");
-  expect_contains(wrong("version=\"0.1\"", "compressor=\"vtkZLibDataCompressor\""), "without compression");
+  expect_contains(wrong("version=\"0.1\"", "compressor=\"vtkLZ4DataCompressor\""), "save the file with zlib");
   expect_contains(wrong("0 1 2<", "0 1 3<"), "line 9: array 'connectivity': polygon 0: the triangle names vertex 3");
   expect_contains(wrong("0 1 2<", "0 1 1<"), "names vertex 1 twice");
   expect_contains(wrong("0 1 2<", "0 1 1.5<"), "should be whole");
@@ -126,7 +156,7 @@ TEST_F(VtpTest, ErrorsNameLineAndArray) {
   expect_contains(wrong(">7<", ">-7<"), "labels are (-7, 2)");
   expect_contains(wrong("region_a", "region_x"), "region_a is missing");
   expect_contains(wrong("0 0 0 1", "0 inf 0 1"), "line 6: array '': point 0: the position is (0, inf, 0)");
-  expect_contains(wrong("NumberOfVerts=\"0\"", "NumberOfVerts=\"1\""), "only polygons");
+  expect_contains(wrong("NumberOfVerts=\"0\"", "NumberOfVerts=\"1\""), "only lines and polygons");
   expect_contains(wrong("NumberOfPoints='3'", "NumberOfPoints='x'"), "line 5: NumberOfPoints is 'x'");
   expect_contains(wrong("NumberOfPoints='3'", "NumberOfPoints='1152921504606846976'"), "at most");
   expect_contains(wrong("NumberOfPoints='3'", "NumberOfPoints='2000000000'"), "2000000000 times 3");

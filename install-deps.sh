@@ -14,6 +14,8 @@ packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev
   # import foamsim, and its tests
   pybind11-dev python3-dev python3-numpy python3-pytest
+  # reads what is written for ParaView, in the tests
+  python3-vtk9
   # plots
   python3-matplotlib
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours

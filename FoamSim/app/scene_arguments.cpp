@@ -36,6 +36,9 @@ void SceneArguments::add_to(base::Command& command, const Program& program, bool
                  .target = &area,
                  .help = "area strategy (see 'foamsim effects')",
                  .names = catalogue.sheet.areas.names()});
+  command.add({.name = "--fields",
+               .target = &fields,
+               .help = "what .vtp frames have, separated by commas (docs/output.md); writes such frames"});
   command.add({.name = "--set",
                .target = &assignments,
                .help = "key=value, or key+=word for lists; repeat for more (see 'foamsim scenes')",
@@ -60,6 +63,7 @@ Scene SceneArguments::load(const Program& program, std::span<const std::string> 
   Scene loaded = load_scene(scene, program.catalogue);
   for (const std::string& assignment : assignments) loaded.options.set_assignment(assignment, "--set");
   if (!area.empty()) loaded.options.set("area", area, "--area");
+  if (!fields.empty()) loaded.options.set_assignment("fields=" + fields, "--fields");
   if (seed) loaded.options.set("seed", *seed, "--seed");
   validate(loaded, also_used);
   for (const std::string& note : loaded.notes)

@@ -13,7 +13,7 @@ namespace foamsim::app {
 struct SceneArguments {
   std::string scene;
   std::vector<std::string> assignments;  // key=value
-  std::string area, out;
+  std::string area, fields, out;
   std::optional<double> time;
   std::optional<long> steps, seed;
   bool until_rest = false, force = false, quiet = false, explain = false;

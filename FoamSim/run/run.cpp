@@ -64,7 +64,7 @@ lostopos::run::Output output_of(const SceneMotion& motion, const RunSettings& se
           .frame_every = scene.options.whole("frame_every"),
           .checkpoint_every = scene.options.whole("checkpoint_every"),
           .checkpoint_seconds = scene.options.number("checkpoint_seconds"),
-          .vtp = scene.options.flag("vtp"),
+          .vtp = options_in_use(scene.options).flag("vtp"),
           .rec_every = scene.options.whole("rec_every"),
           .obj_every = scene.options.whole("obj_every"),
           .reference_frames = 2,

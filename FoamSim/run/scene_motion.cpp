@@ -5,6 +5,7 @@
 
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/metrics/metrics_csv.h"
+#include "FoamSim/run/picture_fields.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/run/events_csv.h"
 
@@ -41,7 +42,9 @@ SceneMotion::SceneMotion(Beginning beginning)
     : SimulationMotion(std::move(beginning.simulation), beginning.start.volumes, beginning.before),
       scene_(std::move(beginning.scene)),
       start_(std::move(beginning.start)),
-      rest_(characteristic_time(start_.volumes, scene_.options.number("sigma")), std::move(beginning.quiet)) {}
+      rest_(characteristic_time(start_.volumes, scene_.options.number("sigma")), std::move(beginning.quiet)) {
+  require_picture_fields(simulation(), scene_.options.words("fields"));
+}
 
 void SceneMotion::step() {
   SimulationMotion::step();
@@ -60,14 +63,9 @@ std::vector<Table> SceneMotion::tables() const {
 }
 
 lostopos::SurfaceData SceneMotion::picture() const {
-  lostopos::SurfaceData data = lostopos::from_mesh_with_attributes(mesh());
-  lostopos::DataArray mean{"circulation", 1, {}};
-  for (lostopos::Triangle t : mesh().triangles()) {
-    const auto corners = corner_circulation(mesh(), simulation().circulation(), t);
-    mean.values.push_back((corners[0] + corners[1] + corners[2]) / 3);
-  }
-  data.triangle_arrays.push_back(std::move(mean));
-  return data;
+  // Not shared out among processes: the first one alone writes.
+  const auto velocity = scene_.catalogue->sheet.velocities.find(scene_.options.word("velocity")).make({scene_.options});
+  return picture_of(simulation(), {scene_.options.words("fields"), scene_.options.number("sigma"), *velocity});
 }
 
 lostopos::SurfaceData SceneMotion::record() const {

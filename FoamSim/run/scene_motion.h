@@ -25,11 +25,12 @@ class SceneMotion final : public SimulationMotion {
                                 const std::shared_ptr<const Catalogue>& catalogue,
                                 const base::Interruption& interruption = {});
 
+  /// Throws base::InputError for a field to write that the scene does not have.
   explicit SceneMotion(Beginning beginning);
 
   void step() override;
   std::vector<lostopos::run::Table> tables() const override;
-  /// With the circulation at the triangles' corners, averaged.
+  /// With the fields that the option `fields` names.
   lostopos::SurfaceData picture() const override;
   /// With the circulation and what is held.
   lostopos::SurfaceData record() const override;

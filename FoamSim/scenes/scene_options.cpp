@@ -44,6 +44,8 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
       base::whole_number("rec_every", 0, 0, "steps between .rec meshes for the reference program; 0: none"),
       base::whole_number("obj_every", 0, 0, "steps between .obj meshes with normals; 0: none"),
       base::flag("vtp", false, "also write .vtp frames and surface.pvd for ParaView"),
+      {"fields", std::vector<std::string>{"all"},
+       "what .vtp frames have of films and attributes, separated by commas; setting it sets vtp", "names of fields"},
       base::whole_number("seed", 0, 0, "seed of everything random"),
   };
   const auto belongs_to = [&specs](const char* key, base::OptionSpec::Owner owner) {
@@ -94,6 +96,7 @@ base::OptionSet options_in_use(const base::OptionSet& options) {
   };
   fill_in("effects", effects_of(options));
   if (options.has("bubbles") && options.whole("bubbles") > 0) fill_in("relax", 30L);
+  if (options.is_set("fields")) fill_in("vtp", true);
   // A wire or rod keeps its vertices, and films near it theirs.
   if (holds_by_wire(options)) fill_in("remeshing.collapse_to_held", false);
   if (options.word("dynamics") != "vortex-sheet") {

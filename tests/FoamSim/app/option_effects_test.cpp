@@ -73,6 +73,7 @@ const std::vector<Change>& changes() {
       {"obj_every", "doublebubble", "obj_every=1"},
       {"resolution_mean", "doublebubble", "resolution_mean=triangle-sides"},
       {"vtp", "doublebubble", "vtp=true"},
+      {"fields", "doublebubble", "fields=film"},
       {"seed", "doublebubble", "seed=5"},
       {"remeshing.enabled", "doublebubble", "remeshing.enabled=false"},
       {"remeshing.iterations", "doublebubble", "remeshing.iterations=3"},

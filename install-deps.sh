@@ -18,7 +18,7 @@ packages=(
   python3-vtk9
   # plots
   python3-matplotlib
-  # Surface Evolver (3 MB), whose equilibria are drawn beside ours
+  # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces in a test
   evolver-nox
   # style, the second compiler and its sanitizers, reference pages
   clang-format clang-tidy clang libclang-rt-dev doxygen

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -12,12 +13,16 @@ namespace {
 void warn_of_losses(const Program& program, const std::string& out, const lostopos::SurfaceData& data) {
   const lostopos::MeshFormat* format = lostopos::find_mesh_format(out);
   if (format == nullptr) return;
-  if (!format->keeps_pair_arrays && (!data.pair_arrays.empty() || !data.held.empty()))
-    base::print_warning(program.name, std::string(format->extension) +
-                                          " files have no place for circulation and held vertices; they are left out");
-  if (!format->keeps_arrays && (!data.vertex_arrays.empty() || !data.triangle_arrays.empty()))
+  std::string lost;
+  const auto lose = [&lost](const char* what) { lost.append(lost.empty() ? "" : ", ").append(what); };
+  if (!format->keeps_pair_arrays && !data.pair_arrays.empty()) lose("circulation");
+  if (!format->keeps_held && !data.held.empty()) lose("held vertices");
+  const auto is_kept = [format](const lostopos::DataArray& array) { return array.name == format->kept_array; };
+  if (!format->keeps_arrays && (!data.vertex_arrays.empty() || !std::ranges::all_of(data.triangle_arrays, is_kept)))
+    lose("data arrays");
+  if (!lost.empty())
     base::print_warning(program.name,
-                        std::string(format->extension) + " files have no place for data arrays; they are left out");
+                        std::string(format->extension) + " files have no place for " + lost + ", left out here");
 }
 
 }  // namespace

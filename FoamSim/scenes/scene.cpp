@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "Base/error.h"
+#include "Base/options/option_value.h"
 #include "FoamSim/scenes/reference_options.h"
 #include "FoamSim/scenes/relaxed_start.h"
 #include "FoamSim/scenes/scene_memory.h"
 #include "FoamSim/scenes/shapes/held.h"
 #include "FoamSim/scenes/toml_scene.h"
+#include "LosTopos/io/fe.h"
 #include "LosTopos/io/mesh_file.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/io/tidy_surface.h"
@@ -45,10 +48,28 @@ std::vector<Vertex> with_marked_vertices(SurfaceMesh& mesh, std::vector<Vertex> 
   return vertices;
 }
 
+// Of the triangles that something of the film moves with, where the file says (Surface Evolver's does).
+void require_one_tension(const std::string& file, const lostopos::SurfaceData& data) {
+  const auto array = std::ranges::find(data.triangle_arrays, lostopos::tension_array, &lostopos::DataArray::name);
+  if (array == data.triangle_arrays.end() || array->components != 1) return;
+  std::vector<bool> held(data.positions.size());
+  for (const lostopos::HeldVertex& vertex : data.held) held[vertex.vertex] = true;
+  std::optional<double> least, most;
+  for (std::size_t t = 0; t < data.triangles.size(); ++t) {
+    if (std::ranges::all_of(data.triangles[t], [&](std::uint32_t v) { return held[v]; })) continue;
+    least = std::min(least.value_or(array->values[t]), array->values[t]);
+    most = std::max(most.value_or(array->values[t]), array->values[t]);
+  }
+  if (least != most)
+    throw base::InputError("'" + file + "': films have tensions of " + base::to_text(*least) + " to " +
+                           base::to_text(*most) + "; there is one for all here, 'sigma'");
+}
+
 StartSurface start_surface(const Scene& scene) {
   const std::string file = start_file(scene);
   if (file.empty()) return {scene.catalogue->scenes.find(scene.name).build(scene.options)};
   lostopos::SurfaceData data = lostopos::read_surface(file);
+  require_one_tension(file, data);
   lostopos::tidy_surface(data);
   StartSurface start{lostopos::to_mesh(data)};
   if (const auto* circulation = find_pair_array(data, lostopos::rec_pair_array)) start.circulation = *circulation;

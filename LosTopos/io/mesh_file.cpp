@@ -7,6 +7,7 @@
 #include "Base/error.h"
 #include "Base/io/number_text.h"
 #include "Base/machine/memory.h"
+#include "LosTopos/io/fe.h"
 #include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/read_error.h"
@@ -22,14 +23,16 @@ void write_soap_film_rec(const std::filesystem::path& path, const SurfaceData& d
   write_rec(path, data);
 }
 
-constexpr std::array<MeshFormat, 5> formats{
-    {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, read_ply, write_ply,
-      4},
-     {".obj", "Wavefront OBJ, labels in groups region_P_Q", false, false, read_obj, write_obj, 5},
-     {".vtp", "ParaView XML PolyData, with arrays", false, true, read_vtp, write_vtp, 12},
-     {".rec", "binary record of the soap-film program, with circulation (read: the tracker program's too)", true, false,
-      read_rec, write_soap_film_rec, 1.5},
-     {".arec", "text record of the tracker program", false, false, read_arec, write_arec, 4}}};
+constexpr std::array<MeshFormat, 6> formats{
+    {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, false, "solid",
+      read_ply, write_ply, 4},
+     {".obj", "Wavefront OBJ, labels in groups region_P_Q", false, false, false, "", read_obj, write_obj, 5},
+     {".vtp", "ParaView XML PolyData, with arrays", false, false, true, "", read_vtp, write_vtp, 12},
+     {".fe", "datafile of Surface Evolver, with bodies, tensions and fixed vertices", false, true, false, tension_array,
+      read_fe, write_fe, 16},
+     {".rec", "binary record of the soap-film program, with circulation (read: the tracker program's too)", true, true,
+      false, "", read_rec, write_soap_film_rec, 1.5},
+     {".arec", "text record of the tracker program", false, false, false, "", read_arec, write_arec, 4}}};
 
 const MeshFormat* format_named(std::string_view extension) {
   const auto found = std::ranges::find(formats, extension, &MeshFormat::extension);
@@ -44,6 +47,7 @@ const MeshFormat* sniff_text(std::string_view start) {
   if (all.find("<VTKFile") != std::string_view::npos && all.find("\"PolyData\"") != std::string_view::npos)
     return format_named(".vtp");
   if (all.find('\0') != std::string_view::npos) return nullptr;  // no text: what starts like a number is chance
+  if (starts_like_fe(all)) return format_named(".fe");
   constexpr std::array<std::string_view, 5> obj_words{"v", "vn", "vt", "g", "mtllib"};
   std::string_view rest = all;
   for (int line = 0; line < 100 && !rest.empty(); ++line) {  // past the comments

@@ -13,8 +13,10 @@ namespace lostopos {
 struct MeshFormat {
   std::string_view extension;    ///< with the dot, in small letters
   std::string_view description;  ///< for lists and help texts
-  bool keeps_pair_arrays;        ///< numbers of region pairs, held vertices and the declared number of regions
+  bool keeps_pair_arrays;        ///< numbers of region pairs and the declared number of regions
+  bool keeps_held;               ///< held vertices
   bool keeps_arrays;             ///< vertex and triangle arrays
+  std::string_view kept_array;   ///< where it does not: the one triangle array that it keeps; empty: none
   SurfaceData (*read)(const std::filesystem::path&);
   void (*write)(const std::filesystem::path&, const SurfaceData&);
   double memory_of_byte;  ///< most bytes of memory that reading takes for each of the file

@@ -60,6 +60,12 @@ void write_meshes(const fs::path& corpus) {
              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
              "face 1\nproperty list uchar int vertex_indices\nproperty int region_a\nproperty int "
              "region_b\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 1 0\n");
+  write_text(file_in(corpus, "fe", "dumped.fe"),
+             "// of Evolver\nfacets_predicted 4\nSOAPFILM\nSCALE: 0.25\nVIEW_MATRIX\n 1 0 0 0\nslice_coeff = { 1, 0 "
+             "}\n\nvertices /* x */\n1 0 0 0 fixed\n2 1 0 0\n3 0 1 0\n4 0 0 1 original 7\nedges\n1 1 2 fixed\n2 2 "
+             "3\n3 3 1\n4 1 4 color red\n5 2 4\n6 3 4\nfaces\n1 -3 -2 -1 density 2.5 /*area 0.5*/\n2 1 5 -4 backbody "
+             "1\n3 2 6 -5 tension 2\n4 3 4 -6\nbodies\n1 1 2 \\\n 3 4 volume 0.2 lagrange_multiplier 0 centerofmass "
+             "original 5\nread\n");
   lostopos::write_pvd(file_in(corpus, "pvd", "two.pvd"), {{0, "a.vtp"}, {0.5, "b.vtp"}});
 }
 

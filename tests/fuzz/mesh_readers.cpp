@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "LosTopos/io/fe.h"
 #include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/pvd.h"
@@ -32,6 +33,9 @@ bool feed_arec(std::span<const std::uint8_t> bytes) {
 }
 bool feed_vtp(std::span<const std::uint8_t> bytes) {
   return feed_mesh(bytes, lostopos::read_vtp);
+}
+bool feed_fe(std::span<const std::uint8_t> bytes) {
+  return feed_mesh(bytes, lostopos::read_fe);
 }
 bool feed_pvd(std::span<const std::uint8_t> bytes) {
   return read_file(bytes, [](const auto& file) { lostopos::read_pvd(file); });

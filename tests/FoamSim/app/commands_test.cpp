@@ -249,11 +249,11 @@ TEST(ConvertCommand, KeepsTheSurfaceThroughEveryFormat) {
   const ScratchFolder scratch;
   ASSERT_EQ(run_foamsim("run doublebubble --steps 0 --out " + (scratch / "run")).exit_code, 0);
   std::string last = scratch / "run/frames/frame_000000.ply";
-  for (const char* next : {"a.obj", "b.rec", "c.arec", "d.vtp", "e.ply"}) {
+  for (const char* next : {"a.obj", "b.rec", "c.arec", "d.vtp", "e.fe", "f.ply"}) {
     ASSERT_EQ(run_foamsim("convert " + last + " " + (scratch / next)).exit_code, 0) << next;
     last = scratch / next;
   }
-  EXPECT_EQ(read_file(scratch / "e.ply"), read_file(scratch / "run/frames/frame_000000.ply"));
+  EXPECT_EQ(read_file(scratch / "f.ply"), read_file(scratch / "run/frames/frame_000000.ply"));
 }
 
 TEST(RunCommand, StartsFromAMeshFileAndAReferenceOptionFile) {

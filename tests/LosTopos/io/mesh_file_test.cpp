@@ -17,7 +17,8 @@ TEST_F(MeshFileTest, EveryFormatKeepsTheSurface) {
     write_surface(file, two_tetrahedra_with_circulation());
     const SurfaceData data = read_surface(file);
     expect_same_surface(data, two_tetrahedra());
-    EXPECT_EQ(!data.pair_arrays.empty() && !data.held.empty(), format.keeps_pair_arrays) << format.extension;
+    EXPECT_EQ(!data.pair_arrays.empty(), format.keeps_pair_arrays) << format.extension;
+    EXPECT_EQ(!data.held.empty(), format.keeps_held) << format.extension;
   }
 }
 
@@ -28,6 +29,17 @@ TEST_F(MeshFileTest, ArraysAreKeptWhereTheFormatSaysSo) {
     const auto file = path_with(format.extension);
     write_surface(file, with_array);
     EXPECT_EQ(!read_surface(file).vertex_arrays.empty(), format.keeps_arrays) << format.extension;
+  }
+}
+
+TEST_F(MeshFileTest, TheOneArrayThatAFormatKeepsIsKept) {
+  for (const MeshFormat& format : mesh_formats()) {
+    if (format.kept_array.empty()) continue;
+    SurfaceData with_array = two_tetrahedra();
+    with_array.triangle_arrays = {{std::string(format.kept_array), 1, {0, 1, 1, 0, 1, 0, 1}}};
+    const auto file = path_with(format.extension);
+    write_surface(file, with_array);
+    EXPECT_EQ(read_surface(file).triangle_arrays, with_array.triangle_arrays) << format.extension;
   }
 }
 
@@ -66,7 +78,7 @@ TEST_F(MeshFileTest, ContentThatContradictsTheExtension) {
 }
 
 TEST_F(MeshFileTest, UnknownFormatsAreRefusedWithTheKnownOnes) {
-  const std::string known = ".ply, .obj, .vtp, .rec, .arec";
+  const std::string known = ".ply, .obj, .vtp, .fe, .rec, .arec";
   expect_contains(input_error([&] { write_surface(path("a.stl"), two_tetrahedra()); }), known);
   expect_contains(input_error([&] { write_surface(path("a"), two_tetrahedra()); }), known);
   EXPECT_EQ(files_in_folder(), 0U);
@@ -76,7 +88,7 @@ TEST_F(MeshFileTest, UnknownFormatsAreRefusedWithTheKnownOnes) {
 
 TEST_F(MeshFileTest, WhatIsNoFile) {
   for (const std::string& extension : {std::string(".ply"), std::string(".obj"), std::string(".vtp"),
-                                       std::string(".rec"), std::string(".arec"), std::string()}) {
+                                       std::string(".fe"), std::string(".rec"), std::string(".arec"), std::string()}) {
     const auto file = path("missing").replace_extension(extension);
     EXPECT_THROW(read_surface(file), base::FileError);
     expect_contains(input_error([&] { read_surface(file); }), file.string());

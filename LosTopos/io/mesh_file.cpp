@@ -26,7 +26,7 @@ void write_soap_film_rec(const std::filesystem::path& path, const SurfaceData& d
 constexpr std::array<MeshFormat, 6> formats{
     {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, false, "solid",
       read_ply, write_ply, 4},
-     {".obj", "Wavefront OBJ, labels in groups region_P_Q", false, false, false, "", read_obj, write_obj, 5},
+     {".obj", "Wavefront OBJ, a group region_P_Q a film", false, false, false, "", read_obj, write_obj, 5},
      {".vtp", "ParaView XML PolyData, with arrays", false, false, true, "", read_vtp, write_vtp, 12},
      {".fe", "datafile of Surface Evolver, with bodies, tensions and fixed vertices", false, true, false, tension_array,
       read_fe, write_fe, 16},
@@ -98,6 +98,12 @@ const MeshFormat* find_mesh_format(const std::filesystem::path& path) {
   return format_named(extension);
 }
 
+const MeshFormat& require_mesh_format(const std::filesystem::path& path) {
+  const MeshFormat* format = find_mesh_format(path);
+  if (!format) throw_unknown(path, "no surface format has the extension " + in_quotes(path.extension().string()));
+  return *format;
+}
+
 const MeshFormat* sniff_mesh_format(const std::filesystem::path& path) {
   ByteReader bytes(path);
   std::string start;
@@ -120,9 +126,7 @@ SurfaceData read_surface(const std::filesystem::path& path) {
 }
 
 void write_surface(const std::filesystem::path& path, const SurfaceData& data) {
-  const MeshFormat* format = find_mesh_format(path);
-  if (!format) throw_unknown(path, "no surface format has the extension " + in_quotes(path.extension().string()));
-  format->write(path, data);
+  require_mesh_format(path).write(path, data);
 }
 
 }  // namespace lostopos

@@ -22,7 +22,8 @@ struct MeshFormat {
   double memory_of_byte;  ///< most bytes of memory that reading takes for each of the file
 };
 
-/// All formats. Each keeps positions, triangles, labels and their order, to the bit.
+/// All formats. Each keeps positions to the bit, triangles and labels; .obj turns triangles and puts them in another
+/// order, film by film.
 std::span<const MeshFormat> mesh_formats();
 
 /// The extensions of all formats for a message: ".ply, .obj, ...".
@@ -30,6 +31,9 @@ std::string mesh_extensions();
 
 /// The format that the path's extension names, in small or capital letters; null when there is none.
 const MeshFormat* find_mesh_format(const std::filesystem::path& path);
+
+/// The same; throws InputError when there is none.
+const MeshFormat& require_mesh_format(const std::filesystem::path& path);
 
 /// The format that the file's content shows; null when it shows none. Throws FileError when it cannot be read.
 const MeshFormat* sniff_mesh_format(const std::filesystem::path& path);

@@ -2,11 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "Base/io/atomic_file.h"
 #include "Base/io/number_text.h"
 #include "LosTopos/io/byte_reader.h"
+#include "LosTopos/io/film_faces.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/surface_checks.h"
 #include "LosTopos/io/text_reader.h"
@@ -143,18 +146,32 @@ std::vector<Vec3> normals_of(const SurfaceData& data) {
   return normals;
 }
 
+// The triangles' numbers, film by film.
+std::vector<std::uint32_t> by_films(const std::vector<std::uint32_t>& films) {
+  std::vector<std::uint32_t> order(films.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&films](std::uint32_t t) { return films[t]; });
+  return order;
+}
+
+std::string group_of(Labels labels, std::uint32_t film) {
+  std::string line = "g " + std::string(group_prefix);
+  append_integer(line, std::max(labels.p, labels.q).index());
+  append_integer(line += '_', std::min(labels.p, labels.q).index());
+  append_integer(line += " film_", film);
+  return line += '\n';
+}
+
 void write_faces(std::ostream& out, const SurfaceData& data, ObjNormals normals) {
-  std::string line;
-  for (std::size_t t = 0; t < data.triangles.size(); ++t) {
-    const Labels labels = data.labels[t];
-    line.clear();
-    if (t == 0 || !(data.labels[t - 1] == labels)) {
-      append_integer(line.append("g ").append(group_prefix), labels.p.index());
-      append_integer(line += '_', labels.q.index());
-      line += '\n';
-    }
-    line += 'f';
-    for (const std::uint32_t corner : data.triangles[t]) {
+  const std::vector<std::uint32_t> films = film_numbers(data);
+  std::optional<std::uint32_t> film;
+  for (const std::uint32_t t : by_films(films)) {
+    if (film != films[t]) out << group_of(data.labels[t], films[t]);
+    film = films[t];
+    std::array<std::uint32_t, 3> corners = data.triangles[t];
+    if (data.labels[t].p < data.labels[t].q) std::swap(corners[1], corners[2]);
+    std::string line = "f";
+    for (const std::uint32_t corner : corners) {
       append_integer(line += ' ', corner + 1);
       if (normals == ObjNormals::with) append_integer(line += "//", corner + 1);
     }
@@ -171,8 +188,8 @@ SurfaceData read_obj(const std::filesystem::path& path) {
 void write_obj(const std::filesystem::path& path, const SurfaceData& data, ObjNormals normals) {
   validate(data);
   base::AtomicFile file(path);
-  file.stream() << "# group region_P_Q: the faces' right-hand normals point out of region P into region Q; 0 is the "
-                   "open air\n";
+  file.stream() << "# groups region_P_Q film_N, one a film: right-hand normals point out of region P into region Q; 0 "
+                   "is the open air\n";
   for (const Vec3& position : data.positions) file.stream() << line_of("v", position);
   if (normals == ObjNormals::with)
     for (const Vec3& normal : normals_of(data)) file.stream() << line_of("vn", normal);

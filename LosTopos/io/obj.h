@@ -18,10 +18,11 @@ SurfaceData read_obj(const std::filesystem::path& path);
 
 enum class ObjNormals { without, with };
 
-/// Writes OBJ with one `g region_P_Q` line before each run of triangles that have the same labels, so that the order of
-/// triangles is kept; the numbers read back as the same bits. With normals each vertex has the mean of those of its
-/// triangles, by their area, each out of the higher region into the lower. Throws InputError when the data is not valid
-/// (nothing is written then), FileError when it cannot be written.
+/// Writes OBJ with a line `g region_P_Q film_N` a film (see film_numbers) and all its triangles behind it, turned so
+/// that their normals point out of P, the higher region, into Q: order and windings do not stay, positions read back as
+/// the same bits. With normals each vertex has the mean of those of its triangles, by their area, each out of the
+/// higher region into the lower. Throws InputError when the data is not valid (nothing is written then), FileError when
+/// it cannot be written.
 /// @{
 void write_obj(const std::filesystem::path& path, const SurfaceData& data, ObjNormals normals);
 void write_obj(const std::filesystem::path& path, const SurfaceData& data);

@@ -249,11 +249,36 @@ TEST(ConvertCommand, KeepsTheSurfaceThroughEveryFormat) {
   const ScratchFolder scratch;
   ASSERT_EQ(run_foamsim("run doublebubble --steps 0 --out " + (scratch / "run")).exit_code, 0);
   std::string last = scratch / "run/frames/frame_000000.ply";
-  for (const char* next : {"a.obj", "b.rec", "c.arec", "d.vtp", "e.fe", "f.ply"}) {
+  for (const char* next : {"b.rec", "c.arec", "d.vtp", "e.fe", "f.ply"}) {
     ASSERT_EQ(run_foamsim("convert " + last + " " + (scratch / next)).exit_code, 0) << next;
     last = scratch / next;
   }
   EXPECT_EQ(read_file(scratch / "f.ply"), read_file(scratch / "run/frames/frame_000000.ply"));
+  // Film by film and turned: another order, and a sum's last bits.
+  ASSERT_EQ(run_foamsim("convert " + last + " " + (scratch / "a.obj")).exit_code, 0);
+  const auto before = json::parse(run_foamsim("inspect --json " + last).out);
+  const auto after = json::parse(run_foamsim("inspect --json " + (scratch / "a.obj")).out);
+  for (const char* same : {"vertices", "triangles", "edges", "junction_edges"}) EXPECT_EQ(after[same], before[same]);
+  EXPECT_NEAR(after["area"].get<double>() / before["area"].get<double>(), 1, 1e-12);
+}
+
+TEST(ConvertCommand, AStarStandsForManyFiles) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(
+      run_foamsim("run sphere --set n=1 --steps 2 --set frame_every=1 --quiet --out " + (scratch / "run")).exit_code,
+      0);
+  const std::string frames = "'" + (scratch / "run/frames/frame_*.ply") + "' ";
+  ASSERT_EQ(run_foamsim("convert " + frames + "'" + (scratch / "new/step*.obj") + "'").exit_code, 0);
+  for (const char* name : {"step000000.obj", "step000001.obj", "step000002.obj"})
+    EXPECT_EQ(run_foamsim("inspect " + (scratch / "new") + "/" + name).exit_code, 0) << name;
+  for (const std::string bad : {frames + (scratch / "one.obj"), frames + "'" + (scratch / "bad/*.stl") + "'",
+                                "'" + (scratch / "run/none_*.ply") + "' '" + (scratch / "bad/*.obj") + "'",
+                                "'" + (scratch / "*/frames/frame_*.ply") + "' '" + (scratch / "bad/*.obj") + "'"}) {
+    const ProgramResult result = run_foamsim("convert " + bad);
+    EXPECT_EQ(result.exit_code, 2) << bad;
+    EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "bad"));
 }
 
 TEST(RunCommand, StartsFromAMeshFileAndAReferenceOptionFile) {

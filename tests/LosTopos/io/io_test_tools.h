@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <sstream>
 #include <string>
 
 #include "Base/error.h"
 #include "LosTopos/io/byte_order.h"
+#include "LosTopos/io/film_faces.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/io/surface_data.h"
 #include "tests/support/scratch_folder.h"
@@ -104,6 +107,22 @@ inline SurfaceData two_tetrahedra_with_circulation() {
                                 {one, two, 0.3},  {air, one, 7.0},  {air, two, 1.0 / 7}, {two, three, 11.0}};
   data.held = {{4, {0.3, 0.3, -1.0}}, {0, {0.0, 1e-17, 2.0}}};
   return data;
+}
+
+/// As it is in an OBJ file: film by film, normals out of the higher region.
+inline SurfaceData film_by_film(const SurfaceData& data) {
+  SurfaceData turned = data;
+  const std::vector<std::uint32_t> films = film_numbers(data);
+  std::vector<std::size_t> order(films.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&films](std::size_t t) { return films[t]; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto [a, b, c] = data.triangles[order[i]];
+    const bool turn = data.labels[order[i]].p < data.labels[order[i]].q;
+    turned.triangles[i] = turn ? std::array{a, c, b} : std::array{a, b, c};
+    turned.labels[i] = turn ? data.labels[order[i]].flipped() : data.labels[order[i]];
+  }
+  return turned;
 }
 
 /// EXPECTs the same positions (to the bit), triangles and labels.

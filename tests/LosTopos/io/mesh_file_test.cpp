@@ -8,6 +8,9 @@ namespace {
 
 class MeshFileTest : public IoTest {
  protected:
+  static SurfaceData kept_by(const MeshFormat& format) {
+    return format.extension == ".obj" ? film_by_film(two_tetrahedra()) : two_tetrahedra();
+  }
   std::filesystem::path path_with(std::string_view extension) const { return path("a").replace_extension(extension); }
 };
 
@@ -16,7 +19,7 @@ TEST_F(MeshFileTest, EveryFormatKeepsTheSurface) {
     const auto file = path_with(format.extension);
     write_surface(file, two_tetrahedra_with_circulation());
     const SurfaceData data = read_surface(file);
-    expect_same_surface(data, two_tetrahedra());
+    expect_same_surface(data, kept_by(format));
     EXPECT_EQ(!data.pair_arrays.empty(), format.keeps_pair_arrays) << format.extension;
     EXPECT_EQ(!data.held.empty(), format.keeps_held) << format.extension;
   }
@@ -48,7 +51,7 @@ TEST_F(MeshFileTest, ContentDecidesWhereTheExtensionDoesNot) {
     const auto file = path_with(format.extension);
     write_surface(file, two_tetrahedra());
     std::filesystem::rename(file, path("frame"));
-    expect_same_surface(read_surface(path("frame")), two_tetrahedra());
+    expect_same_surface(read_surface(path("frame")), kept_by(format));
     EXPECT_EQ(sniff_mesh_format(path("frame")), find_mesh_format(file)) << format.extension;
   }
 }

@@ -15,12 +15,26 @@ class ObjTest : public IoTest {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-TEST_F(ObjTest, RoundTripKeepsEveryBitAndTheOrder) {
+TEST_F(ObjTest, RoundTripKeepsEveryBitOfPositionsAndTheFilms) {
   SurfaceData data = two_tetrahedra();
   std::swap(data.triangles[1], data.triangles[5]);  // labels alternate
   std::swap(data.labels[1], data.labels[5]);
   write_obj(path("a.obj"), data);
-  expect_same_surface(read_obj(path("a.obj")), data);
+  expect_same_surface(read_obj(path("a.obj")), film_by_film(data));
+}
+
+TEST_F(ObjTest, AFilmIsAGroupHoweverItsTrianglesAreWound) {
+  SurfaceData data = two_tetrahedra();
+  for (const std::size_t t : {0U, 2U, 3U, 5U}) {
+    std::swap(data.triangles[t][0], data.triangles[t][1]);
+    data.labels[t] = data.labels[t].flipped();
+  }
+  write_obj(path("a.obj"), data);
+  std::istringstream lines(content_of(path("a.obj")));
+  std::vector<std::string> groups;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("g ")) groups.push_back(line);
+  EXPECT_EQ(groups, (std::vector<std::string>{"g region_1_0 film_0", "g region_2_0 film_1", "g region_2_1 film_2"}));
 }
 
 TEST_F(ObjTest, EmptySurfaceRoundTrip) {
@@ -35,7 +49,8 @@ TEST_F(ObjTest, LabelsAreGroups) {
   data.labels = {{Region{1}, air}, {Region{1}, air}, {Region{12}, Region{3}}};
   write_obj(path("a.obj"), data);
   expect_contains(content_of(path("a.obj")),
-                  "v 0 0 0\nv 1 0 0\nv 0 0.5 0\ng region_1_0\nf 1 2 3\nf 1 3 2\ng region_12_3\nf 2 3 1\n");
+                  "v 0 0 0\nv 1 0 0\nv 0 0.5 0\ng region_1_0 film_0\nf 1 2 3\ng region_1_0 film_1\nf 1 3 2\n"
+                  "g region_12_3 film_2\nf 2 3 1\n");
 }
 
 // Of a ball the normals are the directions from its middle, whichever way its triangles run.
@@ -46,7 +61,7 @@ TEST_F(ObjTest, NormalsPointOutOfTheHigherRegion) {
     data.labels[t] = data.labels[t].flipped();
   }
   write_obj(path("ball.obj"), data, ObjNormals::with);
-  EXPECT_EQ(read_obj(path("ball.obj")), data);
+  EXPECT_EQ(read_obj(path("ball.obj")), film_by_film(data));
   std::istringstream lines(content_of(path("ball.obj")));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) {

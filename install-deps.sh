@@ -18,6 +18,8 @@ packages=(
   python3-vtk9
   # plots
   python3-matplotlib
+  # the viewer in a browser, and its tests
+  nodejs chromium
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces in a test
   evolver-nox
   # style, the second compiler and its sanitizers, reference pages
@@ -33,7 +35,22 @@ for package in "${packages[@]}"; do
   status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
   [ "$status" = "install ok installed" ] || missing+=("$package")
 done
-[ ${#missing[@]} -eq 0 ] && exit 0
+# npm belongs to nodejs in some packages, which then conflict with Debian's own.
+command -v npm >/dev/null || missing+=(npm)
+
+# The viewer's packages, as web/package-lock.json has them; without a network the viewer is left out.
+install_viewer_packages() {
+  local web
+  web=$(dirname "$0")/web
+  [ "$web/node_modules/.package-lock.json" -nt "$web/package-lock.json" ] && return
+  (cd "$web" && npm ci --no-audit --no-fund --ignore-scripts --fetch-retries=1 >/dev/null 2>&1) ||
+    echo "install-deps.sh: 'npm ci' in web/ failed; the viewer in a browser is left out" >&2
+}
+
+if [ ${#missing[@]} -eq 0 ]; then
+  install_viewer_packages
+  exit 0
+fi
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
@@ -43,3 +60,4 @@ fi
 echo "installing: ${missing[*]}"
 "${as_root[@]}" apt-get update -qq
 DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+install_viewer_packages

@@ -10,7 +10,7 @@ install(DIRECTORY plots assets/scenes assets/sweeps DESTINATION ${CMAKE_INSTALL_
         PATTERN __pycache__ EXCLUDE)
 
 install(TARGETS base console lostopos lostopos_run multitracker foamsim foamsim_studies foamsim_sweep foamsim_statistics
-                foamsim_render foamsim_app
+                foamsim_render foamsim_web foamsim_app
         EXPORT FoamSimTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 foreach(folder Base LosTopos MultiTracker FoamSim)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development

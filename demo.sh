@@ -14,4 +14,8 @@ if [ "${1:-}" = "--again" ] || [ ! -f "$out/compare.png" ]; then
 else
   build/bin/foamsim compare --show "$out"
 fi
+# Where the viewer is built: docs/viewer.md.
+if build/bin/foamsim export-web "$out/averaged" "$out/averaged.html" --force --quiet 2>/dev/null; then
+  echo "in a browser: $out/averaged.html"
+fi
 echo "pictures: $out/compare.png   plots: $out/compare_plot.png   ParaView: $out/*/surface.pvd"

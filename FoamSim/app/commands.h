@@ -32,6 +32,8 @@ void add_movie_command(base::Command& root, const Program& program);
 void add_inspect_command(base::Command& root, const Program& program);
 void add_stats_command(base::Command& root, const Program& program);
 void add_convert_command(base::Command& root, const Program& program);
+void add_export_web_command(base::Command& root, const Program& program);
+void add_view_command(base::Command& root, const Program& program);
 void add_list_commands(base::Command& root, const Program& program);
 
 }  // namespace foamsim::app

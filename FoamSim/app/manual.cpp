@@ -22,7 +22,7 @@ Section exit_status() {
        {"3", "the simulation could not go on; the last good state is saved and named; of a sweep: runs failed"},
        {"4", "the disk is full or has failed; a run goes on with --resume when there is room"},
        {"5", "sweep: some runs are still to come"},
-       {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved"}}};
+       {"130, 143, 129", "ended by Ctrl-C, SIGTERM, SIGHUP after the step was finished and saved; how view ends"}}};
 }
 
 Section files() {

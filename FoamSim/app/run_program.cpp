@@ -41,6 +41,8 @@ int run_program(int argc, char** argv, std::shared_ptr<const Catalogue> catalogu
     app::add_inspect_command(root, program);
     app::add_stats_command(root, program);
     app::add_convert_command(root, program);
+    app::add_export_web_command(root, program);
+    app::add_view_command(root, program);
     app::add_list_commands(root, program);
     base::add_generate_command(commands, [&program] { return app::manual(*program.catalogue); });
   });

@@ -201,6 +201,7 @@ export class View {
 
   drawNow() {
     if (!this.frame) return;
+    if (this.renderer.getPixelRatio() !== this.ratio) this.renderer.setPixelRatio(this.ratio);
     const {look} = this, size = this.size();
     this.shared.plane.value.copy(this.plane());
     this.shared.explode.value = look.explode;
@@ -243,9 +244,9 @@ export class View {
     if (this.pace > slowMilliseconds) ratio = Math.max(0.6, ratio * 0.8);
     if (this.pace < quickMilliseconds) ratio = Math.min(most, ratio * 1.1);
     if (Math.abs(ratio - this.ratio) < 0.05) return;
+    // With the next picture: another size empties the canvas.
     this.ratio = ratio;
     this.pace = undefined;
-    this.#resize();
   }
 
   // Films below a place of the canvas, in pixels, the nearest first.

@@ -193,7 +193,7 @@ test('fits a telephone, and a tap picks', {skip}, () => withPage(file, async pag
   await picture(page, 'telephone');
 }, {width: 390, height: 800, hasTouch: true, isMobile: true}));
 
-test('a served run is shown, and grows while it goes on', {skip}, async () => {
+test('a served run is shown, and its server ends as it is told', {skip}, async () => {
   const server = spawn(program, ['view', run], {stdio: ['ignore', 'pipe', 'inherit']});
   try {
     const address = await new Promise((found, failed) => {

@@ -10,7 +10,8 @@ from mkdocs.structure.files import File
 ROOT = Path(__file__).resolve().parents[2]
 FROM_ROOT = {"index.md": "README.md", "contributing.md": "CONTRIBUTING.md", "changelog.md": "CHANGELOG.md"}
 COMMANDS = {
-    "foamsim": ["run", "compare", "render", "inspect", "convert", "reproduce", "study", "sweep", "generate"],
+    "foamsim": ["run", "compare", "render", "inspect", "convert", "reproduce", "study", "sweep", "stats",
+                "movie", "export-web", "view", "generate"],
     "multitracker": ["run", "study"],
 }
 

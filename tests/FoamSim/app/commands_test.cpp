@@ -271,7 +271,7 @@ TEST(ConvertCommand, AStarStandsForManyFiles) {
   ASSERT_EQ(run_foamsim("convert " + frames + "'" + (scratch / "new/step*.obj") + "'").exit_code, 0);
   for (const char* name : {"step000000.obj", "step000001.obj", "step000002.obj"})
     EXPECT_EQ(run_foamsim("inspect " + (scratch / "new") + "/" + name).exit_code, 0) << name;
-  for (const std::string bad : {frames + (scratch / "one.obj"), frames + "'" + (scratch / "bad/*.stl") + "'",
+  for (const std::string& bad : {frames + (scratch / "one.obj"), frames + "'" + (scratch / "bad/*.stl") + "'",
                                 "'" + (scratch / "run/none_*.ply") + "' '" + (scratch / "bad/*.obj") + "'",
                                 "'" + (scratch / "*/frames/frame_*.ply") + "' '" + (scratch / "bad/*.obj") + "'"}) {
     const ProgramResult result = run_foamsim("convert " + bad);

@@ -18,6 +18,8 @@ packages=(
   python3-vtk9
   # plots
   python3-matplotlib
+  # films
+  ffmpeg
   # the viewer in a browser, and its tests
   nodejs chromium
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces in a test

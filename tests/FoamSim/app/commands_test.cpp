@@ -272,8 +272,8 @@ TEST(ConvertCommand, AStarStandsForManyFiles) {
   for (const char* name : {"step000000.obj", "step000001.obj", "step000002.obj"})
     EXPECT_EQ(run_foamsim("inspect " + (scratch / "new") + "/" + name).exit_code, 0) << name;
   for (const std::string& bad : {frames + (scratch / "one.obj"), frames + "'" + (scratch / "bad/*.stl") + "'",
-                                "'" + (scratch / "run/none_*.ply") + "' '" + (scratch / "bad/*.obj") + "'",
-                                "'" + (scratch / "*/frames/frame_*.ply") + "' '" + (scratch / "bad/*.obj") + "'"}) {
+                                 "'" + (scratch / "run/none_*.ply") + "' '" + (scratch / "bad/*.obj") + "'",
+                                 "'" + (scratch / "*/frames/frame_*.ply") + "' '" + (scratch / "bad/*.obj") + "'"}) {
     const ProgramResult result = run_foamsim("convert " + bad);
     EXPECT_EQ(result.exit_code, 2) << bad;
     EXPECT_EQ(std::ranges::count(result.error, '\n'), 1) << result.error;

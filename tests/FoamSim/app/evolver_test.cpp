@@ -1,6 +1,7 @@
 // Surfaces to Surface Evolver and back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,9 +37,18 @@ std::optional<pid_t> writer_of(std::string_view name) {
   return process;
 }
 
+// Killed, and its parent has not asked for it yet: it keeps its number and writes nothing any more.
+bool is_zombie(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");  // number (name) state ...
+  std::string text;
+  std::getline(file, text);
+  const std::size_t state = text.rfind(')') + 2;
+  return text.find(')') != std::string::npos && state < text.size() && (text[state] == 'Z' || text[state] == 'X');
+}
+
 // Numbers are used again: what has that of this process is of one before it.
 bool has_ended(pid_t process) {
-  return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
+  return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH) || is_zombie(process);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "Base/error.h"
 #include "FoamSim/statistics/bubble_pressures.h"
+#include "LosTopos/io/film_faces.h"
 
 namespace foamsim::app {
 
@@ -28,9 +29,7 @@ const DataArray* find(const std::vector<DataArray>& arrays, const std::string& n
 
 std::vector<double> pressure_jumps(const SurfaceData& data) {
   const lostopos::SurfaceMesh mesh = lostopos::to_mesh(data);
-  std::vector<std::uint8_t> solid;
-  if (const DataArray* array = find(data.triangle_arrays, "solid"))
-    for (double value : array->values) solid.push_back(value != 0 ? 1 : 0);
+  const std::vector<std::uint8_t> solid = lostopos::solid_triangles(data);
   const auto pressures = bubble_pressures(mesh, bubbles_of_films(mesh, solid), solid);
   const auto pressure = [&pressures](lostopos::Region r) {
     const auto found = pressures.find(r);

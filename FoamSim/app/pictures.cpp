@@ -14,6 +14,7 @@
 #include "FoamSim/render/compose.h"
 #include "FoamSim/render/legend.h"
 #include "FoamSim/render/png.h"
+#include "LosTopos/io/film_faces.h"
 #include "LosTopos/io/mesh_file.h"
 #include "LosTopos/run/run_frames.h"
 
@@ -59,9 +60,8 @@ render::Surface to_draw(const lostopos::SurfaceData& data) {
   surface.triangles = data.triangles;
   for (const lostopos::Labels& pq : data.labels)
     surface.labels.push_back({static_cast<std::int32_t>(pq.p.index()), static_cast<std::int32_t>(pq.q.index())});
-  for (const lostopos::DataArray& array : data.triangle_arrays)
-    if (array.name == "solid")
-      for (double value : array.values) surface.hidden.push_back(value != 0 ? 1 : 0);
+  const std::vector<std::uint8_t> solid = lostopos::solid_triangles(data);
+  surface.hidden.assign(solid.begin(), solid.end());
   return surface;
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "Base/lists/disjoint_sets.h"
 #include "Base/lists/erase_repeated.h"
 #include "FoamSim/sheet/surface_geometry.h"
-#include "FoamSim/statistics/disjoint_sets.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -109,7 +109,7 @@ class Network {
   const SurfaceMesh& mesh_;
   std::span<const std::uint8_t> solid_;
   std::vector<int> borders_at_;  // edges of borders, by vertex slot
-  DisjointSets film_sets_, border_sets_;
+  base::DisjointSets film_sets_, border_sets_;
   std::vector<std::size_t> film_of_, border_of_;  // by triangle and edge slot
   FilmNetwork out_;
 };

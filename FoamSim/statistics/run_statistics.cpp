@@ -6,6 +6,7 @@
 #include "Base/interruption.h"
 #include "Base/io/atomic_file.h"
 #include "Base/io/write_error.h"
+#include "LosTopos/io/film_faces.h"
 #include "LosTopos/io/mesh_file.h"
 #include "LosTopos/run/run_frames.h"
 
@@ -17,17 +18,9 @@ using lostopos::run::RunFrame;
 
 namespace {
 
-std::vector<std::uint8_t> solids_of(const lostopos::SurfaceData& data) {
-  std::vector<std::uint8_t> solid;
-  for (const lostopos::DataArray& array : data.triangle_arrays)
-    if (array.name == "solid" && array.components == 1)
-      for (double value : array.values) solid.push_back(value != 0 ? 1 : 0);
-  return solid;
-}
-
 FrameStatistics count_frame(const RunFrame& frame) {
   const lostopos::SurfaceData data = lostopos::read_surface(frame.file);
-  return {frame.step, frame.time, foam_statistics(lostopos::to_mesh(data), solids_of(data))};
+  return {frame.step, frame.time, foam_statistics(lostopos::to_mesh(data), lostopos::solid_triangles(data))};
 }
 
 std::vector<RunFrame> chosen_frames(const RunStatisticsOptions& options) {

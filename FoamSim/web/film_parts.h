@@ -8,25 +8,17 @@
 
 namespace foamsim::web {
 
-/// Films of a surface: triangles between the same two regions that are joined by edges of just two triangles.
+/// Films of a surface, those of `lostopos::film_numbers`.
 struct FilmParts {
   static constexpr std::uint32_t none = 0xffffffff;
 
-  struct Film {
-    std::uint32_t low, high;  ///< its regions
-    double area;              ///< L²
-  };
-
-  std::vector<Film> films;
+  std::size_t films = 0;
   std::vector<std::uint32_t> film;                    ///< by triangle; none for a solid's
-  std::vector<std::array<std::uint32_t, 2>> borders;  ///< edges of more than two films' triangles, ascending
+  std::vector<std::array<std::uint32_t, 2>> borders;  ///< Plateau borders' edges, ascending
   std::vector<std::uint32_t> inner_film;              ///< by vertex: the film it is inside of, none elsewhere
 };
 
-/// Triangles whose array "solid" is not 0 belong to no film.
-FilmParts find_films(const lostopos::SurfaceData& surface);
-
-/// Twice the triangle's area times its normal, L².
-lostopos::Vec3 doubled_area_vector(const lostopos::SurfaceData& surface, std::size_t triangle);
+/// `solid` by triangle: not zero for those that belong to no film.
+FilmParts find_films(const lostopos::SurfaceData& surface, const std::vector<std::uint8_t>& solid);
 
 }  // namespace foamsim::web

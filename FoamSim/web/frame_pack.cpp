@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "FoamSim/web/array_pack.h"
+#include "LosTopos/io/film_faces.h"
 
 namespace foamsim::web {
 
@@ -100,12 +101,9 @@ void add_films(const SurfaceData& surface, const SurfaceMeasures& measures, Pack
   packed.head["pairs"] = std::move(pairs);
   packed.add<std::uint32_t>("triangles", corners, 3, true);
   packed.add<std::uint32_t>("pair", pair_numbers, 1, true);
-  for (const lostopos::DataArray& array : surface.triangle_arrays)
-    if (array.name == "solid" && array.components == 1) {
-      std::vector<std::uint8_t> solid;
-      for (double value : array.values) solid.push_back(value != 0 ? 1 : 0);
-      packed.add<std::uint8_t>("solid", solid, 1, false);
-    }
+  const std::vector<std::uint8_t> solid = lostopos::solid_triangles(surface);
+  if (std::ranges::any_of(solid, [](std::uint8_t s) { return s != 0; }))
+    packed.add<std::uint8_t>("solid", solid, 1, false);
   for (const auto& edge : measures.borders) borders.insert(borders.end(), edge.begin(), edge.end());
   packed.add<std::uint32_t>("borders", borders, 2, true);
 }

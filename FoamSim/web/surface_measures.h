@@ -11,9 +11,9 @@ namespace foamsim::web {
 /// A bubble of one surface.
 struct BubbleMeasures {
   std::uint32_t region;
-  double volume;          ///< L³; NaN where its films do not close it
+  double volume;          ///< L³; NaN where films alone do not close it
   double area;            ///< of its films, L²
-  double pressure;        ///< over the tension of a film, 1/L, against the air; NaN where no film says it
+  double pressure;        ///< over the tension of a film, 1/L, against the air; NaN where films do not say it
   std::uint32_t faces;    ///< films that bound it
   lostopos::Vec3 centre;  ///< area-weighted, L
 };
@@ -31,7 +31,7 @@ struct SurfaceMeasures {
 };
 
 /// Measures a surface; triangles whose array "solid" is not 0 are not films. Mean curvatures are those of the area's
-/// gradient, Pinkall and Polthier 1993. Pressures are the least squares of all films' jumps, weighted by area.
+/// gradient, Pinkall and Polthier 1993. Bubbles are those of `foam_statistics`.
 SurfaceMeasures measure(const lostopos::SurfaceData& surface);
 
 }  // namespace foamsim::web

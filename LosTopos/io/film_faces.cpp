@@ -1,9 +1,9 @@
 #include "LosTopos/io/film_faces.h"
 
 #include <algorithm>
-#include <numeric>
-#include <span>
 #include <utility>
+
+#include "Base/lists/disjoint_sets.h"
 
 namespace lostopos {
 namespace {
@@ -41,10 +41,13 @@ std::pair<Region, Region> pair_of(const Labels& labels) {
   return std::minmax(labels.p, labels.q);
 }
 
-// The first triangle of what hangs together with t; paths are halved on the way.
-std::uint32_t first_of(std::vector<std::uint32_t>& parent, std::uint32_t t) {
-  while (parent[t] != t) t = parent[t] = parent[parent[t]];  // ends: parents descend
-  return t;
+template <class Wanted>
+std::vector<std::array<std::uint32_t, 2>> edges_with(const SurfaceData& data, Wanted wanted) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for_each_shared_edge(sorted_film_sides(data), [&](std::span<const FilmSide> edge) {
+    if (wanted(edge.size())) edges.push_back(edge[0].ends);
+  });
+  return edges;
 }
 
 }  // namespace
@@ -57,31 +60,39 @@ void put_lower_regions_behind(SurfaceData& data) {
   }
 }
 
-std::vector<std::uint32_t> film_numbers(const SurfaceData& data) {
+std::vector<std::uint32_t> film_numbers(const SurfaceData& data, std::span<const std::uint8_t> solid) {
   const std::size_t count = data.triangles.size();
-  std::vector<std::uint32_t> parent(count);
-  std::iota(parent.begin(), parent.end(), 0U);
+  const auto is_solid = [&](std::size_t t) { return t < solid.size() && solid[t] != 0; };
+  base::DisjointSets pieces(count);
   for_each_shared_edge(sorted_film_sides(data), [&](std::span<const FilmSide> edge) {
     if (edge.size() != 2) return;
-    const std::uint32_t a = first_of(parent, edge[0].triangle), b = first_of(parent, edge[1].triangle);
-    if (pair_of(data.labels[a]) == pair_of(data.labels[b])) parent[std::max(a, b)] = std::min(a, b);
+    const std::uint32_t a = edge[0].triangle, b = edge[1].triangle;
+    if (pair_of(data.labels[a]) == pair_of(data.labels[b]) && is_solid(a) == is_solid(b)) pieces.unite(a, b);
   });
-  std::vector<std::uint32_t> films;
-  for (std::uint32_t t = 0; t < count; ++t)
-    if (parent[t] == t) films.push_back(t);
-  std::ranges::stable_sort(films, {}, [&](std::uint32_t t) { return pair_of(data.labels[t]); });
+  std::vector<std::size_t> films;
+  for (std::size_t t = 0; t < count; ++t)
+    if (pieces.find(t) == t) films.push_back(t);
+  std::ranges::stable_sort(films, {}, [&](std::size_t t) { return pair_of(data.labels[t]); });
   std::vector<std::uint32_t> number_of_first(count), numbers(count);
   for (std::uint32_t film = 0; film < films.size(); ++film) number_of_first[films[film]] = film;
-  for (std::uint32_t t = 0; t < count; ++t) numbers[t] = number_of_first[first_of(parent, t)];
+  for (std::size_t t = 0; t < count; ++t) numbers[t] = number_of_first[pieces.find(t)];
   return numbers;
 }
 
 std::vector<std::array<std::uint32_t, 2>> border_edges(const SurfaceData& data) {
-  std::vector<std::array<std::uint32_t, 2>> borders;
-  for_each_shared_edge(sorted_film_sides(data), [&](std::span<const FilmSide> edge) {
-    if (edge.size() > 2) borders.push_back(edge[0].ends);
-  });
-  return borders;
+  return edges_with(data, [](std::size_t triangles) { return triangles > 2; });
+}
+
+std::vector<std::array<std::uint32_t, 2>> free_edges(const SurfaceData& data) {
+  return edges_with(data, [](std::size_t triangles) { return triangles == 1; });
+}
+
+std::vector<std::uint8_t> solid_triangles(const SurfaceData& data) {
+  std::vector<std::uint8_t> solid(data.triangles.size(), 0);
+  for (const DataArray& array : data.triangle_arrays)
+    if (array.name == "solid" && array.components == 1)
+      for (std::size_t t = 0; t < solid.size(); ++t) solid[t] = array.values[t] != 0 ? 1 : 0;
+  return solid;
 }
 
 SurfaceData film_picture(SurfaceData data) {

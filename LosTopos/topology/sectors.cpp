@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "Base/lists/disjoint_sets.h"
 #include "Base/lists/erase_repeated.h"
 
 namespace lostopos {
@@ -20,24 +20,6 @@ std::size_t count_distinct(List& list) {
   return list.size();
 }
 
-// Disjoint sets over small indices.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  boost::container::small_vector<std::size_t, 32> parent_;
-};
-
 std::size_t place_of(std::span<const Triangle> triangles, Triangle t) {
   return static_cast<std::size_t>(std::ranges::find(triangles, t) - triangles.begin());
 }
@@ -45,14 +27,14 @@ std::size_t place_of(std::span<const Triangle> triangles, Triangle t) {
 // Whether the films at v are connected through edges at v.
 bool is_one_part(const SurfaceMesh& mesh, Vertex v) {
   const auto triangles = mesh.triangles(v);
-  Sets parts(triangles.size());
+  base::DisjointSets parts(triangles.size());
   std::size_t count = triangles.size();
   for (Edge e : mesh.edges(v)) {
     const auto around = mesh.triangles(e);
     for (std::size_t i = 1; i < around.size(); ++i) {
       const std::size_t a = parts.find(place_of(triangles, around[0])), b = parts.find(place_of(triangles, around[i]));
       if (a == b) continue;
-      parts.join(a, b);
+      parts.unite(a, b);
       --count;
     }
   }
@@ -61,9 +43,9 @@ bool is_one_part(const SurfaceMesh& mesh, Vertex v) {
 
 std::vector<SurfaceMesh::TriangleList> parts_at(const SurfaceMesh& mesh, Vertex v) {
   const auto triangles = mesh.triangles(v);
-  Sets sets(triangles.size());
+  base::DisjointSets sets(triangles.size());
   for (Edge e : mesh.edges(v))
-    for (Triangle t : mesh.triangles(e)) sets.join(place_of(triangles, mesh.triangles(e)[0]), place_of(triangles, t));
+    for (Triangle t : mesh.triangles(e)) sets.unite(place_of(triangles, mesh.triangles(e)[0]), place_of(triangles, t));
   std::vector<SurfaceMesh::TriangleList> parts;
   std::vector<std::size_t> roots;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -122,7 +104,7 @@ Neighbourhood neighbourhood(const SurfaceMesh& mesh, Vertex v) {
   // Every triangle has two sides at v; sides that face each other across an edge belong to one sector.
   const auto triangles = mesh.triangles(v);
   auto side = [&](Triangle t, Region r) { return 2 * place_of(triangles, t) + (mesh.labels(t).p == r ? 0 : 1); };
-  Sets sets(2 * triangles.size());
+  base::DisjointSets sets(2 * triangles.size());
   for (Edge e : mesh.edges(v)) {
     const FilmsAtEdge films = films_around(mesh, v, e);
     if (films.size() < 2) continue;
@@ -132,7 +114,7 @@ Neighbourhood neighbourhood(const SurfaceMesh& mesh, Vertex v) {
         result.consistent = false;
         return result;
       }
-      sets.join(side(film.triangle, film.after), side(next.triangle, next.before));
+      sets.unite(side(film.triangle, film.after), side(next.triangle, next.before));
     }
   }
   std::vector<std::size_t> roots;

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <set>
 
@@ -57,6 +58,22 @@ TEST(TemporaryFiles, AreTheOnesThatAKilledWriterLeaves) {
   EXPECT_FALSE(fs::is_empty(scratch.path()));
   remove_stale_temporaries(scratch.path());
   EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+TEST(TemporaryFiles, OfAProcessThatIsKilledAndNotYetWaitedForAreStale) {
+  const ScratchFolder scratch;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    AtomicFile file(scratch / "frame.ply");
+    file.stream() << "half" << std::flush;
+    ::raise(SIGKILL);
+  }
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);  // it stays a zombie
+  EXPECT_FALSE(fs::is_empty(scratch.path()));
+  remove_stale_temporaries(scratch.path());
+  EXPECT_TRUE(fs::is_empty(scratch.path()));
+  ::waitpid(child, nullptr, 0);
 }
 
 TEST(TemporaryFiles, AreNotLookedForInAFolderThatIsNotThere) {

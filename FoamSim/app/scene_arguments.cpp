@@ -10,9 +10,9 @@ namespace foamsim::app {
 
 namespace {
 
-// A folder is not a scene; that of a run has what was probably meant.
+// A folder is not a scene, unless it has a scene's name by chance; that of a run has what was probably meant.
 void require_no_folder(const std::filesystem::path& path, const Program& program) {
-  if (!std::filesystem::is_directory(path)) return;
+  if (program.catalogue->scenes.has(path.string()) || !std::filesystem::is_directory(path)) return;
   const std::filesystem::path checkpoint = path / "checkpoint.cbor";
   if (!std::filesystem::exists(checkpoint))
     throw base::InputError(path.string() + " is a folder; a scene is a name or a file (see '" + program.name +

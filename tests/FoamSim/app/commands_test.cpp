@@ -262,6 +262,14 @@ TEST(ConvertCommand, KeepsTheSurfaceThroughEveryFormat) {
   EXPECT_NEAR(after["area"].get<double>() / before["area"].get<double>(), 1, 1e-12);
 }
 
+TEST(RunCommand, TakesASceneByNameBesideAFolderOfThatName) {
+  const ScratchFolder scratch;
+  const std::string there = "cd " + scratch.path().string() + " &&";
+  ASSERT_EQ(run_foamsim("run sphere --set n=1 --steps 1 --quiet --out sphere", there).exit_code, 0);
+  EXPECT_EQ(run_foamsim("run sphere --set n=1 --steps 1 --quiet --out another", there).exit_code, 0);
+  EXPECT_NE(run_foamsim("run ./sphere", there).error.find("--resume"), std::string::npos);
+}
+
 TEST(ConvertCommand, AStarStandsForManyFiles) {
   const ScratchFolder scratch;
   ASSERT_EQ(

@@ -55,8 +55,7 @@ void RunWriter::begin() {
   if (output_.rec_every > 0) base::make_folder(folder_.path() / "rec");
   if (output_.obj_every > 0) base::make_folder(folder_.path() / "obj");
   if (output_.go_on) {
-    pvd_ = PvdWriter(folder_.pvd(), frames_until(folder_.pvd(), motion_.time()));
-    if (std::filesystem::exists(folder_.frame(step))) last_frame_ = folder_.frame(step);
+    go_on();
   } else if (step == 0) {
     write_rows();
     write_frame();
@@ -66,6 +65,18 @@ void RunWriter::begin() {
   so_far.first_step = step;
   so_far.last_frame = last_frame_;
   write_json("running", so_far);
+}
+
+// A frame that a kill has cut short, its .ply there and not yet its .vtp or that one's entry, is written anew.
+void RunWriter::go_on() {
+  const long step = motion_.steps();
+  pvd_ = PvdWriter(folder_.pvd(), frames_until(folder_.pvd(), motion_.time()));
+  const bool listed = !pvd_.frames().empty() && pvd_.frames().back().file == vtp_entry(step);
+  if (std::filesystem::exists(folder_.frame(step)) && (listed || !output_.vtp)) last_frame_ = folder_.frame(step);
+}
+
+std::string RunWriter::vtp_entry(long step) const {
+  return folder_.vtp(step).lexically_relative(folder_.path()).string();
 }
 
 void RunWriter::write_step() {
@@ -98,7 +109,7 @@ void RunWriter::write_frame() {
   const auto vtp = folder_.vtp(motion_.steps());
   write_vtp(vtp, motion_.picture());
   wrote(vtp);
-  pvd_.add(motion_.time(), vtp.lexically_relative(folder_.path()).string());
+  pvd_.add(motion_.time(), vtp_entry(motion_.steps()));
 }
 
 void RunWriter::write_reference_meshes() {

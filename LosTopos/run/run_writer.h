@@ -37,6 +37,8 @@ class RunWriter {
   };
 
   void begin();
+  void go_on();
+  std::string vtp_entry(long step) const;
   void write_rows();
   void write_frame();
   void write_reference_meshes();

@@ -1,6 +1,7 @@
 // A run that is killed (kill -9) at any time goes on to the bits of one that was not.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -40,6 +41,27 @@ TEST(KilledRun, GoesOnToTheSameBitsAndLeavesNothingBehind) {
     if (code != 0) code = run_foamsim(command_after_kill(scene, folder)).exit_code;
     ASSERT_EQ(code, 0);
     EXPECT_GT(kills, 1) << "it was too fast to be killed";
+    expect_same_files(scratch / "whole", folder);
+  }
+}
+
+// Killed behind the last checkpoint, between the last frame's .ply and its .vtp, or before that one is in surface.pvd.
+TEST(KilledRun, WritesAFrameAnewThatWasCutShort) {
+  const ScratchFolder scratch;
+  const std::string steps = " --steps 4 --quiet";
+  const std::string scene = "run doublebubble --set n=8 --set vtp=true --set frame_every=3 --set checkpoint_every=2";
+  ASSERT_EQ(run_foamsim(scene + steps + " --out " + (scratch / "whole")).exit_code, 0);
+  for (const bool has_vtp : {false, true}) {
+    const std::string folder = scratch / (has_vtp ? "unlisted" : "without");
+    fs::copy(scratch / "whole", folder, fs::copy_options::recursive);
+    if (!has_vtp) fs::remove(folder + "/vtp/frame_000004.vtp");
+    std::string list = read_file(folder + "/surface.pvd");
+    const std::size_t entry = list.rfind("<DataSet");
+    ASSERT_NE(list.find("frame_000004.vtp", entry), std::string::npos);
+    const std::size_t begin = list.rfind('\n', entry) + 1;
+    list.erase(begin, list.find('\n', entry) + 1 - begin);
+    std::ofstream(folder + "/surface.pvd") << list;
+    ASSERT_EQ(run_foamsim("run --resume " + folder + steps).exit_code, 0);
     expect_same_files(scratch / "whole", folder);
   }
 }

@@ -27,6 +27,11 @@ ordered_json number_or_null(double value) {
 // Head and arrays of a frame while they are put together.
 class Packed {
  public:
+  Packed() : head(ordered_json::object()) {}
+  Packed(const Packed&) = delete;
+  Packed& operator=(const Packed&) = delete;
+  ~Packed() = default;
+
   ordered_json head;
 
   template <class Number>

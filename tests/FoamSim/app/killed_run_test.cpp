@@ -61,7 +61,9 @@ TEST(KilledRun, WritesAFrameAnewThatWasCutShort) {
     const std::size_t begin = list.rfind('\n', entry) + 1;
     list.erase(begin, list.find('\n', entry) + 1 - begin);
     std::ofstream(folder + "/surface.pvd") << list;
-    ASSERT_EQ(run_foamsim("run --resume " + folder + steps).exit_code, 0);
+    std::string command = "run --resume ";
+    command.append(folder).append(steps);
+    ASSERT_EQ(run_foamsim(command).exit_code, 0);
     expect_same_files(scratch / "whole", folder);
   }
 }

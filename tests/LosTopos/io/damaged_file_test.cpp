@@ -17,12 +17,16 @@ std::atomic<std::size_t> largest_request{0};
 }  // namespace
 
 // Notes the largest single request of the program. Not inlined: GCC would then see the `new` of one and the `free` of
-// the other, and warn.
-[[gnu::noinline]] void* operator new(std::size_t bytes) {
+// the other, and warn. The form that does not throw (std::stable_sort asks by it) is replaced as well: the address
+// sanitizer's own would not come here, and its memory would meet the `free` below.
+[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   std::size_t seen = largest_request;
   while (bytes > seen && !largest_request.compare_exchange_weak(seen, bytes)) {
   }
-  if (void* memory = std::malloc(bytes)) return memory;
+  return std::malloc(bytes);
+}
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
+  if (void* memory = operator new(bytes, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {

@@ -6,6 +6,7 @@
 #include "Base/error.h"
 #include "Base/io/atomic_file.h"
 #include "Base/io/number_text.h"
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/io/fe.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -38,7 +39,7 @@ class FeWriter {
       for (std::size_t i = 0; i < 3; ++i) edges_.push_back(ends_of(corners[i], corners[(i + 1) % 3]));
     std::ranges::sort(edges_);
     mark_fixed();
-    edges_.erase(std::ranges::unique(edges_).begin(), edges_.end());
+    base::erase_repeated(edges_);
   }
 
   void write() {

@@ -1,5 +1,7 @@
 #include "FoamSim/sheet/velocity/tree/cluster_pairs.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace foamsim {
@@ -42,6 +44,31 @@ ClusterPairs::ClusterPairs(const ClusterTree& targets, const ClusterTree& source
       open.emplace_back(pair.first, s.child + 1);
     }
   }
+}
+
+ClusterPairs ClusterPairs::of_leaves(const ClusterTree& targets, const ClusterTree& sources) {
+  ClusterPairs pairs(targets.clusters().size());
+  std::vector<std::uint32_t> leaves;
+  for (std::uint32_t s = 0; s < sources.clusters().size(); ++s)
+    if (sources[s].leaf()) leaves.push_back(s);
+  for (std::uint32_t t = 0; t < targets.clusters().size(); ++t)
+    if (targets[t].leaf()) pairs.near[t] = leaves;
+  return pairs;
+}
+
+double ClusterPairs::cost(const ClusterTree& targets, const ClusterTree& sources, const PairOrders& orders) const {
+  // Of a cluster: its charges and potentials, up, down and to its points, for each node of the finest grid (measured).
+  constexpr double own = 500;
+  const auto nodes = [&orders](std::size_t order) { return std::pow(static_cast<double>(orders.nodes(order)), 3); };
+  double sum =
+      own * nodes(orders.count() - 1) * static_cast<double>(targets.clusters().size() + sources.clusters().size());
+  for (std::uint32_t t = 0; t < targets.clusters().size(); ++t) {
+    const double size = targets[t].size();
+    for (const std::uint32_t s : near[t]) sum += size * sources[s].size();
+    for (const Far& met : far[t])
+      sum += std::min(size, nodes(met.order)) * std::min<double>(sources[met.source].size(), nodes(met.order));
+  }
+  return sum;
 }
 
 }  // namespace foamsim

@@ -21,6 +21,15 @@ struct ClusterPairs {
 
   /// Far: the balls' radii are no more than most_open() of their middles' distance.
   ClusterPairs(const ClusterTree& targets, const ClusterTree& sources, const PairOrders& orders);
+
+  /// Leaves meet leaves only, point by point.
+  static ClusterPairs of_leaves(const ClusterTree& targets, const ClusterTree& sources);
+
+  /// What it costs to meet so, in pairs of points: by count, so that it is the same for the same places.
+  double cost(const ClusterTree& targets, const ClusterTree& sources, const PairOrders& orders) const;
+
+ private:
+  explicit ClusterPairs(std::size_t targets) : far(targets), near(targets) {}
 };
 
 }  // namespace foamsim

@@ -29,7 +29,7 @@ std::size_t size_of_leaves(const TreeOptions& options, std::size_t leaves) {
 }  // namespace
 
 std::size_t few_for_velocities(const TreeOptions& options) {
-  return size_of_leaves(options, 12);
+  return size_of_leaves(options, 3);
 }
 
 std::size_t few_for_pairs(const TreeOptions& options) {

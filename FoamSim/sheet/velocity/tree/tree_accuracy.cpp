@@ -18,6 +18,7 @@ TreeAccuracy TreeAccuracy::of(double tolerance, std::size_t n) {
   accuracy.nodes = 3 + static_cast<std::size_t>(more);
   accuracy.openness = std::min(most_open, openness + (worth * more - digits) * std::numbers::ln10 / growth);
   accuracy.single_near = tolerance >= 1e-5;
+  accuracy.near_moments = tolerance >= 1e-4;
   accuracy.single_far = tolerance >= 8e-8 * std::sqrt(static_cast<double>(n));
   return accuracy;
 }

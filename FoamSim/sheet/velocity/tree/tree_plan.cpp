@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <type_traits>
 
 #include "Base/parallel/for_each.h"
 #include "FoamSim/sheet/velocity/tree/cluster_grid.h"
 #include "FoamSim/sheet/velocity/tree/cluster_pairs.h"
 #include "FoamSim/sheet/velocity/tree/leaf_grid.h"
+#include "FoamSim/sheet/velocity/tree/near_velocity.h"
 #include "FoamSim/sheet/velocity/tree/pair_grid.h"
 
 namespace foamsim {
@@ -83,14 +86,15 @@ struct Side {
   Places<Near> near;
   Places<Far> far;
   std::vector<HalfSides> half;
-  std::vector<PairGrids<Far>> grids;  // by order
+  std::vector<PairGrids<Far>> grids;  // by order; none where clusters never meet as wholes
 
-  // Leaves have as many points as a grid: others, smaller and larger ones, win nothing.
-  Side(std::span<const Vec3> points, const Chebyshev& nodes, const PairOrders& orders, double length)
-      : tree(points, grid_size(nodes)),
+  Side(std::span<const Vec3> points, std::size_t leaf_size, double length)
+      : tree(points, leaf_size),
         near(tree, points, length),
         far(tree, points, length),
-        half(half_sides(tree, length)) {
+        half(half_sides(tree, length)) {}
+
+  void make_grids(const PairOrders& orders, double length) {
     for (std::size_t order = 0; order < orders.count(); ++order) grids.emplace_back(tree, orders, order, length);
   }
 };
@@ -104,29 +108,48 @@ class PlanOf final : public TreePlan {
         orders_(accuracy),
         transfers_(nodes_),
         length_(unit_of_length(points_, delta)),
-        from_(points_, nodes_, orders_, length_) {
-    if (targets_) own_.emplace(*targets_, nodes_, orders_, length_);
+        // Leaves have as many points as a grid: others, smaller and larger ones, win nothing.
+        from_(points_, grid_size(nodes_), length_) {
+    if (targets_) own_.emplace(*targets_, grid_size(nodes_), length_);
     pairs_.emplace(to().tree, from_.tree, orders_);
+    by_clusters_ = !targets_ || !are_few();
+    if (by_clusters_)
+      make_grids();
+    else
+      pairs_ = ClusterPairs::of_leaves(to().tree, from_.tree);
   }
 
   void sum(const VortexSources& sources, TreeTerms terms, const base::Ranks& ranks, PairSums& result) override {
     const double strength = unit_of_strength(sources);
     from_.near.take_strengths(from_.tree, sources, strength);
-    from_.far.take_strengths(from_.tree, sources, strength);
-    gather_charges<Far>(from_.tree, from_.half, from_.far.of(Cluster()), nodes_, charges_);
-    for (PairGrids<Far>& grids : from_.grids) grids.lower_charges(transfers_, charges_);
-    potentials_.assign(to().tree.clusters().size() * 3 * grid_size(nodes_), 0.0);
+    if constexpr (std::is_same_v<Near, float>)
+      if (takes_moments(terms)) near_sources_ = near_sources(from_.near.of(from_.tree[0]));
+    if (by_clusters_) gather(sources, strength);
     out_.assign(components(terms) * stride(), 0.0);
     const Share own = share(ranks);
     meet(own, terms);
-    ranks.gather(potentials_);
-    spread_to_children(to().tree, nodes_, potentials_);
-    arrive(own, terms);
+    if (by_clusters_) {
+      ranks.gather(potentials_);
+      spread_to_children(to().tree, nodes_, potentials_);
+      arrive(own, terms);
+    }
     ranks.gather(out_);
     hand_over(terms, std::numbers::inv_pi / 4 * strength / length_, strength, result);
   }
 
  private:
+  // Whether it is less work to let all points meet. Not asked for a tree's points among themselves: that sum is
+  // symmetric, and DirectPairSums does it with half of the work.
+  bool are_few() const {
+    const double all = static_cast<double>(targets_->size()) * static_cast<double>(points_.size());
+    return all <= pairs_->cost(to().tree, from_.tree, orders_);
+  }
+
+  void make_grids() {
+    from_.make_grids(orders_, length_);
+    if (own_) own_->make_grids(orders_, length_);
+  }
+
   // Clusters of targets, from the first to the last less one.
   struct Share {
     std::size_t begin, end;
@@ -153,6 +176,16 @@ class PlanOf final : public TreePlan {
       return static_cast<std::size_t>(std::ranges::lower_bound(until, wanted) - until.begin());
     };
     return {first(ranks.rank()), first(ranks.rank() + 1)};
+  }
+
+  bool takes_moments(TreeTerms terms) const { return accuracy_.near_moments && terms == TreeTerms::velocity; }
+
+  // The strengths as charges of the clusters' grids, and room for what these meet.
+  void gather(const VortexSources& sources, double strength) {
+    from_.far.take_strengths(from_.tree, sources, strength);
+    gather_charges<Far>(from_.tree, from_.half, from_.far.of(Cluster()), nodes_, charges_);
+    for (PairGrids<Far>& grids : from_.grids) grids.lower_charges(transfers_, charges_);
+    potentials_.assign(to().tree.clusters().size() * 3 * grid_size(nodes_), 0.0);
   }
 
   const Side<Near, Far>& to() const { return own_ ? *own_ : from_; }
@@ -186,12 +219,22 @@ class PlanOf final : public TreePlan {
     base::parallel_for_each(own.end - own.begin, 1, [&](std::size_t i) {
       const auto t = static_cast<std::uint32_t>(own.begin + i);
       const Cluster& cluster = to().tree[t];
-      double* arrived = out_.data() + cluster.begin;
-      for (std::size_t order = 0; order < orders_.count(); ++order) meet_far(t, order, terms, delta_squared);
-      for (std::uint32_t s : pairs_->near[t])
-        add_to_targets(to().near.of(cluster), from_.near.of(from_.tree[s]), offset(cluster, s), delta_squared, terms,
-                       arrived, stride());
+      if (!pairs_->far[t].empty())
+        for (std::size_t order = 0; order < orders_.count(); ++order) meet_far(t, order, terms, delta_squared);
+      for (std::uint32_t s : pairs_->near[t]) meet_near(cluster, s, terms, delta_squared);
     });
+  }
+
+  void meet_near(const Cluster& target, std::uint32_t s, TreeTerms terms, double delta_squared) {
+    const Cluster& source = from_.tree[s];
+    const auto apart = offset(target, s);
+    double* arrived = out_.data() + target.begin;
+    if constexpr (std::is_same_v<Near, float>)
+      if (takes_moments(terms) && are_near_enough(std::hypot(apart[0], apart[1], apart[2]), target.radius / length_,
+                                                  source.radius / length_, delta_ / length_))
+        return add_near_velocities(to().near.of(target), std::span(near_sources_).subspan(source.begin, source.size()),
+                                   apart, delta_squared, arrived, stride());
+    add_to_targets(to().near.of(target), from_.near.of(source), apart, delta_squared, terms, arrived, stride());
   }
 
   // Cluster t with all that it meets by grids of an order.
@@ -250,6 +293,8 @@ class PlanOf final : public TreePlan {
   Side<Near, Far> from_;
   std::optional<Side<Near, Far>> own_;
   std::optional<ClusterPairs> pairs_;
+  bool by_clusters_ = true;
+  std::vector<NearSource> near_sources_;  // for velocities in single precision
   TreeArray<Far> charges_;
   std::vector<double> out_, potentials_;
 };

@@ -9,16 +9,16 @@ namespace {
 
 using lostopos::Vec3;
 
-struct Sheet {
+struct SheetAndPart {
   VortexSources all, part;
 };
 
 // `every`: of the sources, one in so many is in the part.
-Sheet random_sheet(std::size_t n, std::size_t every) {
+SheetAndPart random_sheet(std::size_t n, std::size_t every) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> value(-1, 1);
   const auto vector = [&] { return Vec3(value(random), value(random), value(random)); };
-  Sheet sheet;
+  SheetAndPart sheet;
   sheet.all.resize(n);
   sheet.part.resize(n);
   for (std::size_t t = 0; t < n; ++t) {
@@ -29,7 +29,7 @@ Sheet random_sheet(std::size_t n, std::size_t every) {
   return sheet;
 }
 
-double written_out(const Sheet& sheet, double delta) {
+double written_out(const SheetAndPart& sheet, double delta) {
   DirectPairSums pairs;
   PairSums sums;
   pairs.evaluate(sheet.all, delta, PairTerms::potential, sums);
@@ -44,7 +44,7 @@ TEST(Interaction, IsThePartTimesThePotentialOfAll) {
   constexpr double delta = 0.1;
   DirectPairSums pairs;
   for (std::size_t every : {1U, 3U, 7U, 50U, 500U}) {
-    const Sheet sheet = random_sheet(400, every);
+    const SheetAndPart sheet = random_sheet(400, every);
     const double expected = written_out(sheet, delta);
     EXPECT_NEAR(interaction(sheet.part, sheet.all, delta, pairs), expected, 1e-12 * 400) << every;
   }
@@ -52,7 +52,7 @@ TEST(Interaction, IsThePartTimesThePotentialOfAll) {
 
 TEST(Interaction, IsZeroOfNothing) {
   DirectPairSums pairs;
-  Sheet sheet = random_sheet(40, 1);
+  SheetAndPart sheet = random_sheet(40, 1);
   sheet.part = {};
   sheet.part.resize(40);
   EXPECT_EQ(interaction(sheet.part, sheet.all, 0.1, pairs), 0);

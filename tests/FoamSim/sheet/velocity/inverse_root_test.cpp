@@ -29,6 +29,17 @@ TEST(InverseRoot, IsGoodToAnUlpOrTwo) {
   EXPECT_LT(worst_error<double>(-300, 300), 1e-15);
 }
 
+TEST(InverseRootCubed, IsGoodToThreeInTenMillion) {
+  const hn::CappedTag<float, 1> one;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> exponent(-12, 25);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = static_cast<float>(std::pow(10.0, exponent(random)));
+    const auto got = static_cast<double>(hn::GetLane(inverse_root_cubed(one, hn::Set(one, x))));
+    EXPECT_NEAR(got * std::pow(static_cast<double>(x), 1.5), 1, 6e-7) << x;
+  }
+}
+
 TEST(InverseRoot, OfWhatIsTooLargeIsNearlyZero) {
   const hn::CappedTag<float, 1> one;
   const float got = hn::GetLane(inverse_root(one, hn::Set(one, std::numeric_limits<float>::infinity())));

@@ -49,7 +49,7 @@ def main():
 
     print("stage".ljust(18) + "".join(f"{run['bubbles']:>10}" for run in runs) + "  exponent")
     print("triangles".ljust(18) + "".join(f"{run['triangles']:>10}" for run in runs))
-    figure, axes = plt.subplots(figsize=(7.5, 5.2))
+    figure, axes = plt.subplots(figsize=(8.8, 5.2))
     totals = {"a step": [sum(run["stages"].values()) for run in runs]}
     for stage in ["a step"] + stages:
         seconds = totals.get(stage) or [run["stages"].get(stage, 0) for run in runs]
@@ -61,7 +61,7 @@ def main():
     axes.set_xlabel("bubbles")
     axes.set_ylabel(f"seconds a step, {runs[0]['threads']} thread(s)")
     axes.grid(True, which="both", alpha=0.3)
-    axes.legend(fontsize=8, title="stage (exponent in triangles)")
+    axes.legend(fontsize=8, title="stage (exponent in triangles)", loc="center left", bbox_to_anchor=(1.01, 0.5))
     figure.tight_layout()
     figure.savefig(arguments.out, dpi=110)
 

@@ -14,8 +14,8 @@ packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev
   # import foamsim, and its tests
   pybind11-dev python3-dev python3-numpy python3-pytest
-  # reads what is written for ParaView, in the tests
-  python3-vtk9
+  # read what is written for ParaView and other programs, in the tests
+  python3-vtk9 python3-meshio
   # plots
   python3-matplotlib
   # films

@@ -14,7 +14,7 @@
 #include "LosTopos/io/rec.h"
 #include "LosTopos/io/rec_layout.h"
 #include "LosTopos/io/text_reader.h"
-#include "LosTopos/io/vtp.h"
+#include "LosTopos/io/vtk_surface.h"
 
 namespace lostopos {
 namespace {
@@ -23,11 +23,12 @@ void write_soap_film_rec(const std::filesystem::path& path, const SurfaceData& d
   write_rec(path, data);
 }
 
-constexpr std::array<MeshFormat, 6> formats{
+constexpr std::array<MeshFormat, 7> formats{
     {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, false, "solid",
       read_ply, write_ply, 4},
      {".obj", "Wavefront OBJ, a group region_P_Q a film", false, false, false, "", read_obj, write_obj, 5},
      {".vtp", "ParaView XML PolyData, with arrays", false, false, true, "", read_vtp, write_vtp, 12},
+     {".vtu", "VTK XML UnstructuredGrid, with arrays", false, false, true, "", read_vtu, write_vtu, 12},
      {".fe", "datafile of Surface Evolver, with bodies, tensions and fixed vertices", false, true, false, tension_array,
       read_fe, write_fe, 16},
      {".rec", "binary record of the soap-film program, with circulation (read: the tracker program's too)", true, true,
@@ -44,8 +45,10 @@ const MeshFormat* sniff_text(std::string_view start) {
   const std::string_view all = start;
   const std::string_view first = take_word(start);
   if (first == "ply") return format_named(".ply");
-  if (all.find("<VTKFile") != std::string_view::npos && all.find("\"PolyData\"") != std::string_view::npos)
-    return format_named(".vtp");
+  if (all.find("<VTKFile") != std::string_view::npos) {
+    if (all.find("\"PolyData\"") != std::string_view::npos) return format_named(".vtp");
+    if (all.find("\"UnstructuredGrid\"") != std::string_view::npos) return format_named(".vtu");
+  }
   if (all.find('\0') != std::string_view::npos) return nullptr;  // no text: what starts like a number is chance
   if (starts_like_fe(all)) return format_named(".fe");
   constexpr std::array<std::string_view, 5> obj_words{"v", "vn", "vt", "g", "mtllib"};

@@ -7,7 +7,7 @@
 #include "Base/io/number_text.h"
 #include "LosTopos/io/byte_reader.h"
 #include "LosTopos/io/read_error.h"
-#include "LosTopos/io/vtp_array.h"
+#include "LosTopos/io/vtk_array.h"
 #include "LosTopos/io/xml_reader.h"
 
 namespace lostopos {

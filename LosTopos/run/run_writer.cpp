@@ -7,7 +7,7 @@
 #include "Base/io/write_error.h"
 #include "LosTopos/io/obj.h"
 #include "LosTopos/io/ply.h"
-#include "LosTopos/io/vtp.h"
+#include "LosTopos/io/vtk_surface.h"
 #include "LosTopos/run/run_json.h"
 
 namespace lostopos::run {

@@ -5,11 +5,12 @@
 namespace fuzz {
 
 std::span<const Harness> harnesses() {
-  static constexpr std::array<Harness, 14> all{{{"ply", feed_ply},
+  static constexpr std::array<Harness, 15> all{{{"ply", feed_ply},
                                                 {"obj", feed_obj},
                                                 {"rec", feed_rec},
                                                 {"arec", feed_arec},
                                                 {"vtp", feed_vtp},
+                                                {"vtu", feed_vtu},
                                                 {"fe", feed_fe},
                                                 {"pvd", feed_pvd},
                                                 {"toml", feed_toml},

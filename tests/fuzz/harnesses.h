@@ -12,7 +12,7 @@ namespace fuzz {
 /// other exception, and the end of the program, is a fault of the reader.
 using Feed = bool(std::span<const std::uint8_t> bytes);
 
-Feed feed_ply, feed_obj, feed_rec, feed_arec, feed_vtp, feed_fe, feed_pvd;
+Feed feed_ply, feed_obj, feed_rec, feed_arec, feed_vtp, feed_vtu, feed_fe, feed_pvd;
 Feed feed_toml, feed_grid, feed_options, feed_tracker_options;
 /// A checkpoint of `plain_checkpoint`, whose content is nobody's.
 Feed feed_checkpoint_file;

@@ -5,7 +5,7 @@
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/pvd.h"
 #include "LosTopos/io/rec.h"
-#include "LosTopos/io/vtp.h"
+#include "LosTopos/io/vtk_surface.h"
 #include "LosTopos/run/checkpoint.h"
 #include "tests/fuzz/harnesses.h"
 #include "tests/fuzz/memory_file.h"
@@ -33,6 +33,9 @@ bool feed_arec(std::span<const std::uint8_t> bytes) {
 }
 bool feed_vtp(std::span<const std::uint8_t> bytes) {
   return feed_mesh(bytes, lostopos::read_vtp);
+}
+bool feed_vtu(std::span<const std::uint8_t> bytes) {
+  return feed_mesh(bytes, lostopos::read_vtu);
 }
 bool feed_fe(std::span<const std::uint8_t> bytes) {
   return feed_mesh(bytes, lostopos::read_fe);

@@ -8,7 +8,7 @@
 
 #include "LosTopos/io/base64.h"
 #include "LosTopos/io/ply.h"
-#include "LosTopos/io/vtp.h"
+#include "LosTopos/io/vtk_surface.h"
 
 namespace foamsim::web::test {
 

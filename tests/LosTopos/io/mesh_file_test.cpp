@@ -81,7 +81,7 @@ TEST_F(MeshFileTest, ContentThatContradictsTheExtension) {
 }
 
 TEST_F(MeshFileTest, UnknownFormatsAreRefusedWithTheKnownOnes) {
-  const std::string known = ".ply, .obj, .vtp, .fe, .rec, .arec";
+  const std::string known = ".ply, .obj, .vtp, .vtu, .fe, .rec, .arec";
   expect_contains(input_error([&] { write_surface(path("a.stl"), two_tetrahedra()); }), known);
   expect_contains(input_error([&] { write_surface(path("a"), two_tetrahedra()); }), known);
   EXPECT_EQ(files_in_folder(), 0U);

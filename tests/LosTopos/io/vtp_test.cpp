@@ -1,8 +1,7 @@
-#include "LosTopos/io/vtp.h"
-
 #include <limits>
 
 #include "LosTopos/io/base64.h"
+#include "LosTopos/io/vtk_surface.h"
 #include "tests/LosTopos/io/io_test_tools.h"
 
 namespace lostopos {

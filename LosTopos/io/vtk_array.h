@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,8 @@
 #include "LosTopos/io/xml_reader.h"
 
 namespace lostopos {
+
+inline constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;  ///< types of cells
 
 /// How the binary arrays of a VTK XML file are encoded, from the attributes of its root element.
 struct VtkEncoding {

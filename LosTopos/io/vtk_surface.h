@@ -21,4 +21,9 @@ SurfaceData read_vtp(const std::filesystem::path& path);
 /// cannot be written.
 void write_vtp(const std::filesystem::path& path, const SurfaceData& data);
 
+/// The same of VTK's XML UnstructuredGrid (.vtu), which programs read that do not know surfaces, such as meshio: lines
+/// of two points first, then triangles.
+SurfaceData read_vtu(const std::filesystem::path& path);
+void write_vtu(const std::filesystem::path& path, const SurfaceData& data);
+
 }  // namespace lostopos

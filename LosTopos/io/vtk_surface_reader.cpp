@@ -8,8 +8,8 @@
 #include "LosTopos/io/byte_reader.h"
 #include "LosTopos/io/read_error.h"
 #include "LosTopos/io/surface_checks.h"
-#include "LosTopos/io/vtp.h"
-#include "LosTopos/io/vtp_array.h"
+#include "LosTopos/io/vtk_array.h"
+#include "LosTopos/io/vtk_surface.h"
 
 namespace lostopos {
 namespace {
@@ -33,14 +33,15 @@ std::string line_count_problem(std::uint64_t lines) {
 
 class PieceReader {
  public:
-  PieceReader(std::string_view text, const std::string& name) : xml_(text, name) {}
+  /// `type`: PolyData or UnstructuredGrid.
+  PieceReader(std::string_view text, const std::string& name, const char* type) : xml_(text, name), type_(type) {}
 
   Piece read() {
     require_start("VTKFile");
-    encoding_ = read_vtk_root(xml_, "PolyData");
-    require_start("PolyData");
+    encoding_ = read_vtk_root(xml_, type_);
+    require_start(type_);
     bool has_piece = false;
-    while (xml_.next() == Event::Start) {  // ends with the element PolyData, or throws
+    while (xml_.next() == Event::Start) {  // ends with the element of the type, or throws
       if (xml_.tag() == "Piece" && has_piece) xml_.fail("a second piece; files with one are read");
       if (xml_.tag() == "Piece") {
         has_piece = true;
@@ -73,6 +74,7 @@ class PieceReader {
     piece_.vertices = count("NumberOfPoints", "");
     piece_.triangles = count("NumberOfPolys", "0");
     piece_.lines = count("NumberOfLines", "0");
+    cell_count_ = count("NumberOfCells", "0");
     for (const std::string& problem : {vertex_count_problem(piece_.vertices), triangle_count_problem(piece_.triangles),
                                        line_count_problem(piece_.lines)})
       if (!problem.empty()) xml_.fail(problem);
@@ -89,10 +91,62 @@ class PieceReader {
         read_arrays(piece_.line_cells);
       } else if (xml_.tag() == "Polys") {
         read_arrays(piece_.polys);
+      } else if (xml_.tag() == "Cells") {
+        read_arrays(cells_);
       } else {
         xml_.skip_element();
       }
     }
+    if (cell_count_ > 0) split_cells();
+  }
+
+  // Of an unstructured grid: lines, and triangles behind them, as poly data has them.
+  void split_cells() {
+    PlacedArray ids = cell_array("connectivity"), offsets = cell_array("offsets");
+    const PlacedArray types = cell_array("types");
+    require_one_a_cell(offsets);
+    require_one_a_cell(types);
+    const auto& type = types.data.values;
+    const auto first_triangle = std::ranges::find_if(type, [](double t) { return t != vtk_line; });
+    const auto other = std::find_if(first_triangle, type.end(), [](double t) { return t != vtk_triangle; });
+    if (other != type.end()) {
+      std::string problem = "cell " + std::to_string(other - type.begin()) + " is of type ";
+      base::append_number(problem, *other);
+      fail_at(types, problem + "; lines (3), and triangles (5) behind them, are read");
+    }
+    piece_.lines = static_cast<std::uint64_t>(first_triangle - type.begin());
+    piece_.triangles = cell_count_ - piece_.lines;
+    const std::uint64_t line_ends = 2 * piece_.lines;
+    if (ids.data.values.size() != line_ends + 3 * piece_.triangles)
+      fail_at(ids, "its length does not fit lines of two points and triangles of three");
+    piece_.line_cells = {first_part(ids, line_ends), first_part(offsets, piece_.lines)};
+    for (double& offset : offsets.data.values) offset -= static_cast<double>(line_ends);
+    piece_.polys = {std::move(ids), std::move(offsets)};
+  }
+
+  void require_one_a_cell(const PlacedArray& array) const {
+    const std::size_t size = array.data.values.size();
+    if (size != cell_count_)
+      fail_at(array, std::to_string(size) + " numbers for " + std::to_string(cell_count_) + " cells");
+  }
+
+  PlacedArray cell_array(std::string_view name) const {
+    const auto found = std::ranges::find(cells_, name, [](const PlacedArray& array) { return array.data.name; });
+    if (found == cells_.end()) xml_.fail("section 'Cells' needs the array " + in_quotes(name));
+    return *found;
+  }
+
+  // Takes its first numbers away from it.
+  static PlacedArray first_part(PlacedArray& array, std::uint64_t count) {
+    auto& values = array.data.values;
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
+    PlacedArray part = {{array.data.name, array.data.components, {values.begin(), end}}, array.line};
+    values.erase(values.begin(), end);
+    return part;
+  }
+
+  [[noreturn]] void fail_at(const PlacedArray& array, const std::string& problem) const {
+    throw_at_line(xml_.name(), array.line, "array " + in_quotes(array.data.name) + ": " + problem);
   }
 
   void read_arrays(std::vector<PlacedArray>& arrays) {
@@ -106,7 +160,10 @@ class PieceReader {
   }
 
   XmlReader xml_;
+  const char* type_;
   VtkEncoding encoding_;
+  std::uint64_t cell_count_ = 0;
+  std::vector<PlacedArray> cells_;
   Piece piece_;
 };
 
@@ -261,12 +318,20 @@ class SurfaceAssembler {
   SurfaceData data_;
 };
 
+SurfaceData read(const std::filesystem::path& path, const char* type) {
+  ByteReader bytes(path);
+  const std::string text = bytes.read_text();
+  return SurfaceAssembler(PieceReader(text, bytes.name(), type).read(), bytes.name()).assemble();
+}
+
 }  // namespace
 
 SurfaceData read_vtp(const std::filesystem::path& path) {
-  ByteReader bytes(path);
-  const std::string text = bytes.read_text();
-  return SurfaceAssembler(PieceReader(text, bytes.name()).read(), bytes.name()).assemble();
+  return read(path, "PolyData");
+}
+
+SurfaceData read_vtu(const std::filesystem::path& path) {
+  return read(path, "UnstructuredGrid");
 }
 
 }  // namespace lostopos

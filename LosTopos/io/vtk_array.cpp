@@ -1,4 +1,4 @@
-#include "LosTopos/io/vtp_array.h"
+#include "LosTopos/io/vtk_array.h"
 
 #include <bit>
 

@@ -7,6 +7,7 @@
 #include "FoamSim/run/scene_motion.h"
 #include "FoamSim/run/start_checks.h"
 #include "FoamSim/scenes/reference_options.h"
+#include "LosTopos/error.h"
 #include "LosTopos/io/rec.h"
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/measures.h"
@@ -63,6 +64,12 @@ TEST_P(ReferenceFiles, HaveNoKeyThatIsSilentlyDropped) {
   }
 }
 
+// Falls short of running to its end: undamped, and the vortex sheet's growing modes throw a vertex off at last
+// (docs/reference-options.md, "tet"). Some time of free swinging is asked for, and that the failed step has been
+// undone.
+constexpr const char* breaks_up = "tet";
+constexpr double least_time_until_then = 10;
+
 TEST_P(ReferenceFiles, RunUnchanged) {
   const ScratchFolder scratch;
   const fs::path file = scratch.path() / (GetParam() + ".txt");
@@ -77,11 +84,18 @@ TEST_P(ReferenceFiles, RunUnchanged) {
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   const long last = std::min<long>(end, MOST_STEPS);
   while (motion.steps() < last && seconds() < MOST_SECONDS) {
-    motion.step();
+    try {
+      motion.step();
+    } catch (const lostopos::MotionError& error) {
+      ASSERT_EQ(GetParam(), breaks_up) << error.what();
+      EXPECT_EQ(lostopos::audit(motion.mesh(), {.closed_regions = false}).text(), "clean");
+      EXPECT_GE(static_cast<double>(motion.steps()) * scene.options.number("dt"), least_time_until_then);
+      break;
+    }
     const auto report = lostopos::audit(motion.mesh(), {.closed_regions = false});
     ASSERT_EQ(report.text(), "clean") << "after step " << motion.steps();
   }
-  EXPECT_TRUE(motion.steps() == last || last > 20);
+  EXPECT_TRUE(motion.steps() == last || motion.steps() > 20);
   RecordProperty("steps", std::to_string(motion.steps()) + " of " + std::to_string(end));
 }
 

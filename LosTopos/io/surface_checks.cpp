@@ -61,7 +61,8 @@ void require_edges_in_range(const SurfaceData& data, const std::string& place) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string problem = edge_problem(data.positions[corners[i]], data.positions[corners[(i + 1) % 3]]);
       if (!problem.empty())
-        throw base::InputError((place.empty() ? "" : place + ": ") + "triangle " + std::to_string(t) + ": " + problem);
+        throw base::InputError(
+            (place.empty() ? "" : place + ": ").append("triangle " + std::to_string(t)).append(": ").append(problem));
     }
   }
 }

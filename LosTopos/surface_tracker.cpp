@@ -52,7 +52,8 @@ SurfaceTracker::SurfaceTracker(SurfaceMesh mesh, const TrackerOptions& options)
       throw base::InputError(problem);
   require_lengths_in_range(mesh_);
   if (options_.remeshing) limits_of(options_.remesh);  // throws where bounds contradict each other
-  if (options_.topology.enabled) motion_ = mesh_.add_vertex_attribute<Vec3>("motion", carry::interpolate, Vec3::Zero());
+  if (options_.topology.enabled || options_.keep_motion)
+    motion_ = mesh_.add_vertex_attribute<Vec3>("motion", carry::interpolate, Vec3::Zero());
 }
 
 MoveResult SurfaceTracker::advance(std::span<const Vec3> predicted) {
@@ -138,8 +139,10 @@ double SurfaceTracker::note_motion(std::span<const Vec3> predicted) {
 // How many parts the motion is to be done in; 0: it has been done, since nothing was in its way.
 int SurfaceTracker::parts_of(std::span<const Vec3> predicted, TrackerStep& done) {
   if (!motion_) return 1;
+  const double farthest = note_motion(predicted);
+  if (!options_.topology.enabled) return 1;
   const double longest = options_.topology.longest_motion * options_.resolution;
-  const int parts = std::max(1, static_cast<int>(std::ceil(note_motion(predicted) / longest - 1e-9)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(farthest / longest - 1e-9)));
   if (parts == 1 || !options_.collisions) return 1;
   const base::TimedScope timed(done.move_seconds);
   done.move = move_if_free(mesh_, predicted, held_.slots(), move_options(), &near_);

@@ -29,6 +29,7 @@ struct TrackerOptions {
   int remeshing_iterations = 1;     ///< passes a call of `remesh`
   RemeshOptions remesh = {};        ///< its target_edge is set from `resolution`, its interruption from the one below
   TopologyOptions topology = {};
+  bool keep_motion = false;  ///< keep the attribute "motion" also where the topology does not change
   /// Asked within long loops; an operation that is interrupted throws base::Interrupted.
   base::Interruption interruption = {};
 };
@@ -124,7 +125,8 @@ class SurfaceTracker {
   VertexAttribute<Hold> held_;
   TriangleAttribute<std::uint8_t> solid_;
   NearTriangles near_;  // of no step's result: only what makes the next search faster
-  // The displacement that the last step asked of every vertex, L; only where the topology may change.
+  // The displacement that the last step asked of every vertex, L: the attribute "motion". Where the topology may
+  // change, or it is to be kept.
   std::optional<VertexAttribute<Vec3>> motion_;
   ObserverList observers_;
 };

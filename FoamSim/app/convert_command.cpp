@@ -20,8 +20,12 @@ void warn_of_losses(const Program& program, const std::string& out, const lostop
   const auto lose = [&lost](const char* what) { lost.append(lost.empty() ? "" : ", ").append(what); };
   if (!format->keeps_pair_arrays && !data.pair_arrays.empty()) lose("circulation");
   if (!format->keeps_held && !data.held.empty()) lose("held vertices");
-  const auto is_kept = [format](const lostopos::DataArray& array) { return array.name == format->kept_array; };
-  if (!format->keeps_arrays && (!data.vertex_arrays.empty() || !std::ranges::all_of(data.triangle_arrays, is_kept)))
+  const auto all_kept = [](const std::vector<lostopos::DataArray>& arrays, std::span<const std::string_view> kept) {
+    return std::ranges::all_of(arrays,
+                               [kept](const auto& array) { return std::ranges::find(kept, array.name) != kept.end(); });
+  };
+  if (!format->keeps_arrays && !(all_kept(data.vertex_arrays, format->kept_vertex_arrays) &&
+                                 all_kept(data.triangle_arrays, format->kept_triangle_arrays)))
     lose("data arrays");
   if (!lost.empty())
     base::print_warning(program.name,

@@ -21,12 +21,6 @@ double value_at(const DataArray& array, std::size_t element) {
   return std::sqrt(squares);
 }
 
-const DataArray* find(const std::vector<DataArray>& arrays, const std::string& name) {
-  for (const DataArray& array : arrays)
-    if (array.name == name) return &array;
-  return nullptr;
-}
-
 std::vector<double> pressure_jumps(const SurfaceData& data) {
   const lostopos::SurfaceMesh mesh = lostopos::to_mesh(data);
   const std::vector<std::uint8_t> solid = lostopos::solid_triangles(data);
@@ -52,11 +46,11 @@ std::string known_fields(const SurfaceData& data) {
 
 std::vector<double> field_values(const SurfaceData& data, const std::string& field) {
   std::vector<double> values;
-  if (const DataArray* array = find(data.triangle_arrays, field)) {
+  if (const DataArray* array = lostopos::find_array(data.triangle_arrays, field)) {
     for (std::size_t t = 0; t < data.triangles.size(); ++t) values.insert(values.end(), 3, value_at(*array, t));
     return values;
   }
-  if (const DataArray* array = find(data.vertex_arrays, field)) {
+  if (const DataArray* array = lostopos::find_array(data.vertex_arrays, field)) {
     for (const auto& triangle : data.triangles)
       for (const std::uint32_t v : triangle) values.push_back(value_at(*array, v));
     return values;

@@ -27,6 +27,7 @@ std::unique_ptr<lostopos::SurfaceTracker> make_tracker(SurfaceMesh mesh, const S
   require_usable(mesh, options, parts);
   lostopos::TrackerOptions tracker = options.tracker;
   tracker.resolution = resolved_resolution(options, mesh);
+  tracker.keep_motion = options.follow_vertices;
   return std::make_unique<lostopos::SurfaceTracker>(std::move(mesh), tracker);
 }
 
@@ -54,6 +55,7 @@ Simulation::Simulation(SurfaceMesh mesh, const SimulationOptions& options, Simul
   geometry_.update(tracker_->mesh(), solid());
   for (const auto& effect : parts_.effects) effect->begin(effect_step());
   if (parts_.dynamics->remeshes_start() && options_.tracker.remeshing) remesh_start();
+  if (options_.follow_vertices) vertex_ids_.emplace(tracker_->mesh());
   if (options_.dt == 0) options_.dt = chosen_dt();
 }
 
@@ -101,6 +103,7 @@ StepReport Simulation::make_step() {
     const base::TimedScope timed(report.times, "geometry");
     geometry_.update(tracker_->mesh(), solid());
   }
+  if (vertex_ids_) vertex_ids_->number_new();
   ++steps_;
   return report;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "FoamSim/constraints/constraint.h"
@@ -10,6 +11,7 @@
 #include "FoamSim/sheet/circulation.h"
 #include "FoamSim/sheet/surface_geometry.h"
 #include "LosTopos/mesh/hold.h"
+#include "LosTopos/mesh/vertex_ids.h"
 #include "LosTopos/surface_tracker.h"
 
 namespace foamsim {
@@ -20,6 +22,9 @@ struct SimulationOptions {
   double resolution = 0;  ///< target mean edge length h̄, L; 0: the mean over the start mesh's edges
   /// Measure the air's energy after move, topology and remeshing of every step: three sums over all pairs.
   bool air_by_stage = false;
+  /// Number the vertices for as long as they live (the attribute "vertex_id"), and keep how far the last step moved
+  /// each (the attribute "motion", L).
+  bool follow_vertices = false;
   /// How the surface is moved and remeshed; its resolution is set to h̄. Nothing is remeshed unless it says so.
   lostopos::TrackerOptions tracker = {.remeshing = false};
 };
@@ -95,6 +100,7 @@ class Simulation {
   SimulationOptions options_;
   std::unique_ptr<lostopos::SurfaceTracker> tracker_;
   std::unique_ptr<CirculationField> circulation_;
+  std::optional<lostopos::VertexIds> vertex_ids_;
   SimulationParts parts_;
   SurfaceGeometry geometry_;
   std::vector<lostopos::Vec3> predicted_;

@@ -16,6 +16,7 @@ namespace {
 
 // Up to here a double holds the number of a step, and its time.
 constexpr std::int64_t most_steps = std::int64_t{1} << 53;
+constexpr std::int64_t most_vertex_ids = std::int64_t{1} << 31;
 
 json topology_json(const TopologyTotals& t) {
   return {{"snaps", t.snaps},
@@ -60,6 +61,7 @@ void remind(const Models& models, const json& all, const char* kind) {
 json to_json(const SimulationState& state) {
   return {{"steps", state.steps},
           {"dt", state.dt},
+          {"vertex_ids", state.vertex_ids},
           {"topology", topology_json(state.topology)},
           {"surface", lostopos::to_json(state.tracker)},
           {"models", state.models ? *state.models : json::object()}};
@@ -73,6 +75,7 @@ SimulationState simulation_state_from_json(const json& json_value) {
   (void)models.at("dynamics");
   return {.steps = value.at("steps").whole_number(0, most_steps),
           .dt = value.at("dt").positive_number(),
+          .vertex_ids = value.at("vertex_ids").whole_number(0, most_vertex_ids),
           .topology = topology_from(value.at("topology")),
           .tracker = lostopos::mesh_state_from_json(value.at("surface").json()),
           .models = std::make_shared<const json>(models.json())};
@@ -87,6 +90,7 @@ SimulationState Simulation::state() const {
 void Simulation::save(SimulationState& state) const {
   state.steps = steps_;
   state.dt = options_.dt;
+  state.vertex_ids = vertex_ids_ ? vertex_ids_->given() : 0;
   state.topology = topology_totals_;
   tracker_->save(state.tracker);
   state.models = std::make_shared<const json>(json{{"effects", remembered(parts_.effects)},
@@ -101,6 +105,7 @@ void Simulation::restore(const SimulationState& state) {
   remind(parts_.constraints, models.value("constraints", none), "constraint");
   parts_.dynamics->restore(models.value("dynamics", json()));
   tracker_->restore(state.tracker);
+  if (vertex_ids_) vertex_ids_->set_given(state.vertex_ids);
   steps_ = state.steps;
   options_.dt = state.dt;
   topology_totals_ = state.topology;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,6 +14,7 @@ namespace foamsim {
 struct SimulationState {
   long steps = 0;
   double dt = 0;                                 ///< length of a step, T, > 0
+  std::int64_t vertex_ids = 0;                   ///< given so far, where vertices are followed; else 0
   TopologyTotals topology;                       ///< counts since the start of the run
   lostopos::SurfaceTracker::State tracker;       ///< the surface with every named attribute, circulation among them
   std::shared_ptr<const nlohmann::json> models;  ///< by kind and name: what effects, constraints and dynamics remember

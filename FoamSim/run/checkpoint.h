@@ -26,7 +26,7 @@ struct Checkpoint {
 };
 
 inline lostopos::run::CheckpointFormat checkpoint_format() {
-  return {"foamsim", 5};
+  return {"foamsim", 6};
 }
 
 /// What a checkpoint holds of a run; `last`: of the step before it.

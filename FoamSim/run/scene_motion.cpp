@@ -62,6 +62,17 @@ std::vector<Table> SceneMotion::tables() const {
   return all;
 }
 
+lostopos::SurfaceData SceneMotion::frame() const {
+  lostopos::SurfaceData data = SimulationMotion::frame();
+  if (!simulation().options().follow_vertices) return data;
+  lostopos::DataArray velocity = lostopos::vertex_array(mesh(), "motion").value();
+  velocity.name = lostopos::velocity_array;
+  velocity.unit = "L/T";
+  for (double& value : velocity.values) value /= simulation().options().dt;
+  data.vertex_arrays = {std::move(velocity), lostopos::vertex_array(mesh(), lostopos::vertex_id_array).value()};
+  return data;
+}
+
 lostopos::SurfaceData SceneMotion::picture() const {
   // Not shared out among processes: the first one alone writes.
   const auto velocity = scene_.catalogue->sheet.velocities.find(scene_.options.word("velocity")).make({scene_.options});

@@ -30,6 +30,8 @@ class SceneMotion final : public SimulationMotion {
 
   void step() override;
   std::vector<lostopos::run::Table> tables() const override;
+  /// With the vertices' velocities and lasting numbers where the option `frame_motion` asks for them.
+  lostopos::SurfaceData frame() const override;
   /// With the fields that the option `fields` names.
   lostopos::SurfaceData picture() const override;
   /// With the circulation and what is held.

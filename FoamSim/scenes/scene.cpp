@@ -156,6 +156,7 @@ SimulationOptions simulation_options(const base::OptionSet& given) {
           .delta = options.number("delta"),
           .resolution = options.number("resolution"),
           .air_by_stage = options.flag("air_by_stage"),
+          .follow_vertices = options.flag("frame_motion"),
           .tracker = tracker};
 }
 

@@ -35,6 +35,7 @@ std::vector<base::OptionSpec> general_option_specs(const Catalogue& catalogue) {
                          "steps of dynamics=relaxation before the first: towards equilibrium, at the bubbles' volumes; "
                          "a foam of Voronoi bubbles makes 30 if this is not set"),
       base::whole_number("frame_every", 25, 0, "steps between saved frames; 0: the first and the last only"),
+      base::flag("frame_motion", false, "frames with every vertex's velocity and lasting number, for motion blur"),
       base::whole_number("metrics_every", 1, 1, "steps between rows of metrics.csv"),
       base::flag("air_by_stage", false, "measure the air's energy after every stage, at 3 sums a step"),
       base::whole_number("checkpoint_every", 0, 0, "steps between checkpoints; 0: by checkpoint_seconds alone"),

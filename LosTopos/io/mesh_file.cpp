@@ -23,17 +23,23 @@ void write_soap_film_rec(const std::filesystem::path& path, const SurfaceData& d
   write_rec(path, data);
 }
 
+using Names = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 2> moving{velocity_array, vertex_id_array};
+constexpr std::array<std::string_view, 1> solids{solid_array};
+constexpr std::array<std::string_view, 1> tensions{tension_array};
+
 constexpr std::array<MeshFormat, 7> formats{
-    {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, false, "solid",
+    {{".ply", "PLY, the frames of a run (read: ascii or binary; written: binary)", false, false, false, moving, solids,
       read_ply, write_ply, 4},
-     {".obj", "Wavefront OBJ, a group region_P_Q a film", false, false, false, "", read_obj, write_obj, 5},
-     {".vtp", "ParaView XML PolyData, with arrays", false, false, true, "", read_vtp, write_vtp, 12},
-     {".vtu", "VTK XML UnstructuredGrid, with arrays", false, false, true, "", read_vtu, write_vtu, 12},
-     {".fe", "datafile of Surface Evolver, with bodies, tensions and fixed vertices", false, true, false, tension_array,
-      read_fe, write_fe, 16},
+     {".obj", "Wavefront OBJ, a group region_P_Q a film", false, false, false, moving, Names(), read_obj, write_obj, 5},
+     {".vtp", "ParaView XML PolyData, with arrays", false, false, true, Names(), Names(), read_vtp, write_vtp, 12},
+     {".vtu", "VTK XML UnstructuredGrid, with arrays", false, false, true, Names(), Names(), read_vtu, write_vtu, 12},
+     {".fe", "datafile of Surface Evolver, with bodies, tensions and fixed vertices", false, true, false, Names(),
+      tensions, read_fe, write_fe, 16},
      {".rec", "binary record of the soap-film program, with circulation (read: the tracker program's too)", true, true,
-      false, "", read_rec, write_soap_film_rec, 1.5},
-     {".arec", "text record of the tracker program", false, false, false, "", read_arec, write_arec, 4}}};
+      false, Names(), Names(), read_rec, write_soap_film_rec, 1.5},
+     {".arec", "text record of the tracker program", false, false, false, Names(), Names(), read_arec, write_arec, 4}}};
 
 const MeshFormat* format_named(std::string_view extension) {
   const auto found = std::ranges::find(formats, extension, &MeshFormat::extension);

@@ -16,7 +16,8 @@ struct MeshFormat {
   bool keeps_pair_arrays;        ///< numbers of region pairs and the declared number of regions
   bool keeps_held;               ///< held vertices
   bool keeps_arrays;             ///< vertex and triangle arrays
-  std::string_view kept_array;   ///< where it does not: the one triangle array that it keeps; empty: none
+  /// Where it does not: the arrays that it keeps, of vertices and of triangles.
+  std::span<const std::string_view> kept_vertex_arrays, kept_triangle_arrays;
   SurfaceData (*read)(const std::filesystem::path&);
   void (*write)(const std::filesystem::path&, const SurfaceData&);
   double memory_of_byte;  ///< most bytes of memory that reading takes for each of the file

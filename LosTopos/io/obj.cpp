@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "Base/io/atomic_file.h"
@@ -18,6 +19,8 @@ namespace lostopos {
 namespace {
 
 constexpr std::string_view group_prefix = "region_";
+// OBJ has no place for these: comments to other programs.
+constexpr std::string_view velocity_line = "#velocity", vertex_id_line = "#vertex_id";
 constexpr std::array<std::string_view, 9> passed_over{"vt", "vn", "vp", "o", "s", "usemtl", "mtllib", "l", "p"};
 
 class ObjReader {
@@ -36,6 +39,10 @@ class ObjReader {
         read_face(rest);
       } else if (keyword == "g") {
         read_group(rest);
+      } else if (keyword == velocity_line) {
+        read_numbers(rest, 3, velocities_);
+      } else if (keyword == vertex_id_line) {
+        read_numbers(rest, 1, vertex_ids_);
       } else if (!keyword.empty() && keyword[0] != '#' &&
                  std::ranges::find(passed_over, keyword) == passed_over.end()) {
         text_.fail(in_quotes(keyword) + " is no statement of a polygonal OBJ file; v, f and g lines are wanted");
@@ -46,6 +53,8 @@ class ObjReader {
                     "the face names vertex " + std::to_string(largest_corner_) + ", but the file has only " +
                         std::to_string(data_.positions.size()));
     require_edges_in_range(data_, name_);
+    take_array({velocity_array, 3, std::move(velocities_), "L/T"}, velocity_line);
+    take_array({vertex_id_array, 1, std::move(vertex_ids_)}, vertex_id_line);
     return std::move(data_);
   }
 
@@ -109,6 +118,25 @@ class ObjReader {
     }
   }
 
+  // Of a line that belongs to the vertex before it.
+  void read_numbers(std::string_view rest, int count, std::vector<double>& numbers) {
+    for (int i = 0; i < count; ++i) {
+      const std::string_view word = take_word(rest);
+      const auto value = base::parse_double(word);
+      if (!value) text_.fail(in_quotes(word) + " stands where a number of the vertex should");
+      numbers.push_back(*value);
+    }
+    if (numbers.size() > static_cast<std::size_t>(count) * data_.positions.size())
+      text_.fail("this line has no vertex of its own before it");
+  }
+
+  void take_array(DataArray array, std::string_view line) {
+    if (array.values.empty()) return;
+    if (array.values.size() != static_cast<std::size_t>(array.components) * data_.positions.size())
+      text_.fail("some vertices have a line '" + std::string(line) + "' and others none; each or none would be right");
+    data_.vertex_arrays.push_back(std::move(array));
+  }
+
   void reject(const std::string& problem) {
     if (!problem.empty()) text_.fail(problem);
   }
@@ -116,6 +144,7 @@ class ObjReader {
   std::string name_;
   TextReader text_;
   SurfaceData data_;
+  std::vector<double> velocities_, vertex_ids_;
   Labels labels_ = default_labels;
   std::int64_t largest_corner_ = 0;  // counted from 1
   std::size_t largest_corner_line_ = 0;
@@ -126,10 +155,26 @@ void append_integer(std::string& text, std::uint32_t value) {
 }
 
 // "v 1 0 0"
-std::string line_of(const char* keyword, const Vec3& numbers) {
-  std::string line = keyword;
-  for (int i = 0; i < 3; ++i) base::append_number(line += ' ', numbers[i]);
+std::string line_of(std::string_view keyword, std::span<const double> numbers) {
+  std::string line(keyword);
+  for (const double number : numbers) base::append_number(line += ' ', number);
   return line += '\n';
+}
+
+std::string line_of(std::string_view keyword, const Vec3& numbers) {
+  return line_of(keyword, std::span<const double>(numbers.data(), 3));
+}
+
+void write_vertices(std::ostream& out, const SurfaceData& data) {
+  const DataArray* velocity = find_array(data.vertex_arrays, velocity_array);
+  const DataArray* vertex_id = find_array(data.vertex_arrays, vertex_id_array);
+  for (std::size_t v = 0; v < data.positions.size(); ++v) {
+    out << line_of("v", data.positions[v]);
+    if (velocity != nullptr && velocity->components == 3)
+      out << line_of(velocity_line, std::span(velocity->values).subspan(3 * v, 3));
+    if (vertex_id != nullptr && holds_vertex_ids(*vertex_id))
+      out << line_of(vertex_id_line, std::span(vertex_id->values).subspan(v, 1));
+  }
 }
 
 // Of every vertex, of unit length; zero where its triangles' cancel.
@@ -190,7 +235,7 @@ void write_obj(const std::filesystem::path& path, const SurfaceData& data, ObjNo
   base::AtomicFile file(path);
   file.stream() << "# groups region_P_Q film_N, one a film: right-hand normals point out of region P into region Q; 0 "
                    "is the open air\n";
-  for (const Vec3& position : data.positions) file.stream() << line_of("v", position);
+  write_vertices(file.stream(), data);
   if (normals == ObjNormals::with)
     for (const Vec3& normal : normals_of(data)) file.stream() << line_of("vn", normal);
   write_faces(file.stream(), data, normals);

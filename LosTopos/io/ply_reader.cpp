@@ -1,4 +1,7 @@
+#include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "LosTopos/io/ply.h"
 #include "LosTopos/io/ply_header.h"
@@ -48,28 +51,41 @@ class PlyReader {
     return place;
   }
 
+  // Where each property of a vertex goes: 0 to 2 position, 3 to 5 velocity, 6 its lasting number, 7 nowhere.
+  std::vector<std::size_t> vertex_places(const PlyElement& element) {
+    static constexpr std::array<std::string_view, nowhere> names{"x", "y", "z", "vx", "vy", "vz", vertex_id_array};
+    std::array<std::optional<std::size_t>, nowhere> found;
+    for (std::size_t i = 0; i < nowhere; ++i) found[i] = scalar(element, names[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!found[i]) values_.fail("element 'vertex' has no property '" + std::string(names[i]) + "'");
+    if (!found[3] || !found[4] || !found[5]) found[3] = found[4] = found[5] = std::nullopt;
+    std::vector<std::size_t> places(element.properties.size(), nowhere);
+    for (std::size_t i = 0; i < nowhere; ++i)
+      if (found[i]) places[*found[i]] = i;
+    if (found[3]) data_.vertex_arrays.push_back({velocity_array, 3, {}, "L/T"});
+    if (found[6]) data_.vertex_arrays.push_back({vertex_id_array, 1, {}});
+    return places;
+  }
+
   void read_vertices(const PlyElement& element) {
-    std::array<std::size_t, 3> places{};
-    for (int i = 0; i < 3; ++i) {
-      const std::string name(1, "xyz"[i]);
-      const auto place = scalar(element, name);
-      if (!place) values_.fail("element 'vertex' has no property '" + name + "'");
-      places[i] = *place;
-    }
+    const std::vector<std::size_t> places = vertex_places(element);
     data_.positions.reserve(element.count);
     for (std::uint64_t v = 0; v < element.count; ++v) {
       values_.begin_record();
-      Vec3 position = Vec3::Zero();
-      for (std::size_t place = 0; place < element.properties.size(); ++place) {
-        const int axis = place == places[0] ? 0 : place == places[1] ? 1 : place == places[2] ? 2 : 3;
-        if (axis < 3) {
-          position[axis] = values_.next(element.properties[place].type);
-        } else {
-          values_.skip_property(element.properties[place]);
-        }
+      std::array<double, nowhere> numbers{};
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] < nowhere)
+          numbers.at(places[i]) = values_.next(element.properties[i].type);
+        else
+          values_.skip_property(element.properties[i]);
       }
+      const Vec3 position(numbers[0], numbers[1], numbers[2]);
       reject(position_problem(position), "vertex", v);
       data_.positions.push_back(position);
+      for (DataArray& array : data_.vertex_arrays) {
+        const double* first = array.components == 3 ? &numbers[3] : &numbers[6];
+        array.values.insert(array.values.end(), first, first + array.components);
+      }
     }
   }
 
@@ -81,8 +97,8 @@ class PlyReader {
     if (region_a.has_value() != region_b.has_value())
       values_.fail(std::string("element 'face' has '") + (region_a ? "region_a" : "region_b") + "' without '" +
                    (region_a ? "region_b" : "region_a") + "'; both or neither would be right");
-    const auto solid = scalar(element, "solid");
-    if (solid) data_.triangle_arrays.push_back({"solid", 1, {}});
+    const auto solid = scalar(element, solid_array);
+    if (solid) data_.triangle_arrays.push_back({solid_array, 1, {}});
     data_.triangles.reserve(element.count);
     data_.labels.reserve(element.count);
     for (std::uint64_t t = 0; t < element.count; ++t) {
@@ -132,6 +148,7 @@ class PlyReader {
     if (!problem.empty()) values_.fail(std::string(element) + " " + std::to_string(number) + ": " + problem);
   }
 
+  static constexpr std::size_t nowhere = 7;
   const PlyHeader& header_;
   PlyValues& values_;
   SurfaceData data_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "Base/error.h"
 #include "LosTopos/io/surface_checks.h"
@@ -43,17 +44,28 @@ void validate_arrays(const std::vector<DataArray>& arrays, std::size_t elements,
                 " would be right");
 }
 
+template <class Range>
+DataArray array_of(const NamedAttributeColumn& column, const Range& living) {
+  DataArray array{column.name(), column.components(), {}};
+  for (const auto element : living)
+    for (int i = 0; i < column.components(); ++i) array.values.push_back(column.number(element.index(), i));
+  return array;
+}
+
 // One array for each column of numbers, with the values of the living elements.
 template <class Range>
 void append_attributes(std::span<NamedAttributeColumn* const> columns, const Range& living,
                        std::vector<DataArray>& arrays) {
-  for (const NamedAttributeColumn* column : columns) {
-    if (column->components() == 0) continue;
-    DataArray array{column->name(), column->components(), {}};
-    for (const auto element : living)
-      for (int i = 0; i < column->components(); ++i) array.values.push_back(column->number(element.index(), i));
-    arrays.push_back(std::move(array));
-  }
+  for (const NamedAttributeColumn* column : columns)
+    if (column->components() > 0) arrays.push_back(array_of(*column, living));
+}
+
+template <class Range>
+std::optional<DataArray> find_attribute(std::span<NamedAttributeColumn* const> columns, const Range& living,
+                                        std::string_view name) {
+  for (const NamedAttributeColumn* column : columns)
+    if (column->name() == name && column->components() > 0) return array_of(*column, living);
+  return {};
 }
 
 }  // namespace
@@ -121,6 +133,18 @@ SurfaceData from_mesh(const SurfaceMesh& mesh) {
   return data;
 }
 
+SurfaceData from_mesh_with_solids(const SurfaceMesh& mesh) {
+  SurfaceData data = from_mesh(mesh);
+  auto solid = find_attribute(mesh.named_triangle_attributes(), mesh.triangles(), solid_array);
+  if (solid && std::ranges::any_of(solid->values, [](double value) { return value != 0; }))
+    data.triangle_arrays.push_back(*std::move(solid));
+  return data;
+}
+
+std::optional<DataArray> vertex_array(const SurfaceMesh& mesh, std::string_view name) {
+  return find_attribute(mesh.named_vertex_attributes(), mesh.vertices(), name);
+}
+
 SurfaceData from_mesh_with_attributes(const SurfaceMesh& mesh) {
   SurfaceData data = from_mesh(mesh);
   append_attributes(mesh.named_vertex_attributes(), mesh.vertices(), data.vertex_arrays);
@@ -131,6 +155,18 @@ SurfaceData from_mesh_with_attributes(const SurfaceMesh& mesh) {
 const PairArray* find_pair_array(const SurfaceData& data, std::string_view name) {
   const auto found = std::ranges::find(data.pair_arrays, name, &PairArray::name);
   return found == data.pair_arrays.end() ? nullptr : &*found;
+}
+
+const DataArray* find_array(std::span<const DataArray> arrays, std::string_view name) {
+  const auto found = std::ranges::find(arrays, name, &DataArray::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+bool holds_vertex_ids(const DataArray& array) {
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  return array.components == 1 && std::ranges::all_of(array.values, [](double value) {
+           return std::abs(value) <= most && value == std::floor(value);
+         });
 }
 
 std::vector<std::uint32_t> compact_numbers(const SurfaceMesh& mesh) {

@@ -40,6 +40,8 @@ class Motion {
 
   /// The tables that a run of this motion writes.
   virtual std::vector<Table> tables() const { return {}; }
+  /// The surface as a frame holds it.
+  virtual SurfaceData frame() const { return from_mesh_with_solids(mesh()); }
   /// The surface with its arrays, for vtp files: see film_picture.
   virtual SurfaceData picture() const { return film_picture(from_mesh(mesh())); }
   /// The surface as a .rec file holds it: with circulation and what is held, where there are such.

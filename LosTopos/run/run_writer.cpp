@@ -102,7 +102,7 @@ void RunWriter::write_rows() {
 void RunWriter::write_frame() {
   const auto file = folder_.frame(motion_.steps());
   if (file == last_frame_) return;
-  write_ply(file, from_mesh(motion_.mesh()));
+  write_ply(file, motion_.frame());
   wrote(file);
   last_frame_ = file;
   if (!output_.vtp) return;
@@ -119,7 +119,7 @@ void RunWriter::write_reference_meshes() {
     wrote(folder_.rec(frame));
   }
   if (due(motion_.steps(), output_.obj_every)) {
-    write_obj(folder_.obj(frame), from_mesh(motion_.mesh()), ObjNormals::with);
+    write_obj(folder_.obj(frame), motion_.frame(), ObjNormals::with);
     wrote(folder_.obj(frame));
   }
 }

@@ -2,6 +2,7 @@
 would from the repository's folder. Blocks marked `console` are not run: they take long or change the machine."""
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -9,7 +10,8 @@ import time
 from pathlib import Path
 
 BUILD, SOURCE = (Path(argument).resolve() for argument in sys.argv[1:3])
-# Left out where the build has none.
+# Left out where the build, or the machine, has none.
+HAS_BLENDER = shutil.which("blender") is not None
 HAS_PYTHON = (BUILD / "python" / "foamsim" / "__init__.py").exists()
 
 
@@ -21,7 +23,8 @@ def run_page(page, folder):
     blocks = re.findall(r"^```(\w+)\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
     assert blocks, f"{page.name} has no blocks"
     python = "".join(text for kind, text in blocks if kind == "python")
-    programs = [["bash", "-euc", text] for kind, text in blocks if kind == "sh"]
+    programs = [["bash", "-euc", text] for kind, text in blocks
+                if kind == "sh" and (HAS_BLENDER or not text.startswith("blender "))]
     if python and HAS_PYTHON:
         programs.append(["/usr/bin/python3", "-B", "-c", python])
     for program in programs:

@@ -71,6 +71,7 @@ const std::vector<Change>& changes() {
       {"checkpoint_seconds", "doublebubble", "checkpoint_seconds=1e-9"},
       {"rec_every", "doublebubble", "rec_every=1"},
       {"obj_every", "doublebubble", "obj_every=1"},
+      {"frame_motion", "doublebubble", "frame_motion=true"},
       {"resolution_mean", "doublebubble", "resolution_mean=triangle-sides"},
       {"vtp", "doublebubble", "vtp=true"},
       {"fields", "doublebubble", "fields=film"},

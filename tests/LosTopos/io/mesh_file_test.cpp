@@ -35,14 +35,38 @@ TEST_F(MeshFileTest, ArraysAreKeptWhereTheFormatSaysSo) {
   }
 }
 
-TEST_F(MeshFileTest, TheOneArrayThatAFormatKeepsIsKept) {
+TEST_F(MeshFileTest, ArraysThatAFormatKeepsByNameAreKept) {
   for (const MeshFormat& format : mesh_formats()) {
-    if (format.kept_array.empty()) continue;
-    SurfaceData with_array = two_tetrahedra();
-    with_array.triangle_arrays = {{std::string(format.kept_array), 1, {0, 1, 1, 0, 1, 0, 1}}};
+    SurfaceData with_arrays = two_tetrahedra();
+    const std::size_t vertices = with_arrays.positions.size();
+    for (const std::string_view name : format.kept_vertex_arrays) {
+      const bool is_vector = name == velocity_array;
+      DataArray array{std::string(name), is_vector ? 3 : 1, {}, is_vector ? "L/T" : ""};
+      for (std::size_t i = 0; i < vertices * (is_vector ? 3 : 1); ++i)
+        array.values.push_back(is_vector ? 0.1 * static_cast<double>(i) - 0.7 : static_cast<double>(7 * i));
+      with_arrays.vertex_arrays.push_back(std::move(array));
+    }
+    for (const std::string_view name : format.kept_triangle_arrays)
+      with_arrays.triangle_arrays.push_back({std::string(name), 1, {0, 1, 1, 0, 1, 0, 1}});
     const auto file = path_with(format.extension);
-    write_surface(file, with_array);
-    EXPECT_EQ(read_surface(file).triangle_arrays, with_array.triangle_arrays) << format.extension;
+    write_surface(file, with_arrays);
+    const SurfaceData again = read_surface(file);
+    EXPECT_EQ(again.vertex_arrays, with_arrays.vertex_arrays) << format.extension;
+    EXPECT_EQ(again.triangle_arrays, with_arrays.triangle_arrays) << format.extension;
+  }
+}
+
+// Numbers of vertices that are none, and velocities that are no vectors, are left out, not cut down.
+TEST_F(MeshFileTest, ArraysOfAnotherKindAreNotTakenForThese) {
+  SurfaceData data = two_tetrahedra();
+  const std::size_t vertices = data.positions.size();
+  for (const double id : {0.5, 3e9, std::numeric_limits<double>::quiet_NaN()}) {
+    data.vertex_arrays = {{vertex_id_array, 1, std::vector<double>(vertices, id)},
+                          {velocity_array, 1, std::vector<double>(vertices, 1)}};
+    for (const char* name : {"a.ply", "a.obj"}) {
+      write_surface(path(name), data);
+      EXPECT_TRUE(read_surface(path(name)).vertex_arrays.empty()) << name << " " << id;
+    }
   }
 }
 

@@ -103,6 +103,16 @@ TEST_F(ObjTest, FacesMayNameLaterVertices) {
                   "line 2: the face names vertex 5, but the file has only 4");
 }
 
+TEST_F(ObjTest, EveryVertexHasAVelocityOrNone) {
+  const std::string first = "v 0 0 0\n#velocity 1 2 3\n", rest = "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  expect_contains(input_error([&] { read_obj(write("a.obj", first + rest)); }),
+                  "some vertices have a line '#velocity'");
+  expect_contains(input_error([&] { read_obj(write("a.obj", "#velocity 1 2 3\n" + first + rest)); }),
+                  "line 1: this line has no vertex");
+  expect_contains(input_error([&] { read_obj(write("a.obj", "v 0 0 0\n#vertex_id x\n" + rest)); }), "line 2: 'x'");
+  EXPECT_TRUE(read_obj(write("a.obj", "v 0 0 0\n# velocity 1 2 3\n" + rest)).vertex_arrays.empty());
+}
+
 TEST_F(ObjTest, ErrorsNameTheLine) {
   expect_contains(error_of(""), "empty");
   expect_contains(error_of("solid cube\nfacet\n"), "line 1: 'solid' is no statement");

@@ -115,53 +115,99 @@ class Picture {
   }
 
  private:
-  static constexpr int tile_size = 32;
+  static constexpr int tile_size = 64;
   static constexpr int few_samples = 4;
 
-  // A few samples everywhere, and one pixel around the tile; the others where these differ.
+  // The pixels of a tile and of a margin around it, which say where more samples are needed.
+  class Pixels {
+   public:
+    Pixels(int width, int height, int margin)
+        : margin_(margin),
+          stride_(width + 2 * margin),
+          pixels_(static_cast<std::size_t>(stride_) * (height + 2 * margin)) {}
+    Samples& at(int x, int y) { return pixels_[place(x, y)]; }
+    const Samples& at(int x, int y) const { return pixels_[place(x, y)]; }
+
+   private:
+    std::size_t place(int x, int y) const { return static_cast<std::size_t>((y + margin_) * stride_ + x + margin_); }
+    int margin_, stride_;
+    std::vector<Samples> pixels_;
+  };
+
+  // In rounds: the middle of each pixel, a few samples instead where the pixels around differ from it, and the others
+  // where these do. A line that is thinner than a pixel can run between all middles: then there are a few from the
+  // start.
   void draw_tile(int left, int top) {
-    constexpr int stride = tile_size + 2;
     const int width = std::min(tile_size, options_.width - left), height = std::min(tile_size, options_.height - top);
-    Shader::Scratch scratch;
-    std::vector<Samples> first(static_cast<std::size_t>(stride) * stride);
-    const auto at = [&first](int x, int y) -> Samples& {
-      return first[static_cast<std::size_t>((y + 1) * stride + x + 1)];
-    };
     const int few = std::min(few_samples, options_.samples);
-    const int around = few < options_.samples ? 1 : 0;
-    for (int y = -around; y < height + around; ++y)
-      for (int x = -around; x < width + around; ++x) sample(left + x, top + y, 0, few, scratch, at(x, y));
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        Samples pixel = at(x, y);
-        bool differ = differs(pixel);
-        for (int dy = -around; dy <= around; ++dy)
-          for (int dx = -around; dx <= around; ++dx) differ = differ || differs(pixel, at(x + dx, y + dy));
-        if (differ) sample(left + x, top + y, few, options_.samples, scratch, pixel);
-        image_.at(left + x, top + y) = encoded(pixel);
-      }
+    const bool begin_with_one = few > 1 && shader_.thinnest_line() > pixel_;
+    const bool more = few < options_.samples;
+    const int margin = (begin_with_one ? 1 : 0) + (more ? 1 : 0);
+    Pixels pixels(width, height, margin);
+    Shader::Scratch scratch;
+    const auto in_margin = [&](int m, const auto& act) {
+      for (int y = -m; y < height + m; ++y)
+        for (int x = -m; x < width + m; ++x) act(x, y);
+    };
+    if (begin_with_one) {
+      in_margin(margin, [&](int x, int y) { sample_middle(left + x, top + y, scratch, pixels.at(x, y)); });
+      refine(pixels, in_margin, margin - 1, barely_visible, [&](int x, int y) {
+        pixels.at(x, y) = {};
+        sample(left + x, top + y, 0, few, scratch, pixels.at(x, y));
+      });
+    } else {
+      in_margin(margin, [&](int x, int y) { sample(left + x, top + y, 0, few, scratch, pixels.at(x, y)); });
+    }
+    if (more)
+      refine(pixels, in_margin, 0, visible, [&](int x, int y) {
+        Samples& pixel = pixels.at(x, y);
+        if (pixel.count == 1) pixel = {};
+        sample(left + x, top + y, pixel.count, options_.samples, scratch, pixel);
+      });
+    in_margin(0, [&](int x, int y) { image_.at(left + x, top + y) = encoded(pixels.at(x, y)); });
   }
 
-  // By what can be seen of a staircase: 1/16 of the way from black to white.
-  static constexpr float visible = 0.06f;
-  static bool differs(const Samples& s) { return s.lightest - s.darkest > visible || s.densest - s.clearest > visible; }
-  static bool differs(const Samples& a, const Samples& b) {
+  // Samples again where a pixel's samples, or those of the pixels around it, differ by more than `most`.
+  template <class InMargin, class Again>
+  static void refine(const Pixels& pixels, const InMargin& in_margin, int margin, float most, const Again& again) {
+    std::vector<std::pair<int, int>> chosen;
+    in_margin(margin, [&](int x, int y) {
+      bool differ = differs(pixels.at(x, y), most);
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) differ = differ || differs(pixels.at(x, y), pixels.at(x + dx, y + dy), most);
+      if (differ) chosen.emplace_back(x, y);
+    });
+    for (const auto& [x, y] : chosen) again(x, y);
+  }
+
+  // By what can be seen of a staircase, 1/16 of the way from black to white; and by half of it, where a pixel has its
+  // middle's light alone.
+  static constexpr float visible = 0.06f, barely_visible = 0.03f;
+  static bool differs(const Samples& s, float most) {
+    return s.lightest - s.darkest > most || s.densest - s.clearest > most;
+  }
+  static bool differs(const Samples& a, const Samples& b, float most) {
     const auto shown = [](const Samples& s) { return std::sqrt(std::clamp(s.mean().mean(), 0.0f, 1.0f)); };
-    return std::abs(shown(a) - shown(b)) > visible || std::abs(a.mean_alpha() - b.mean_alpha()) > visible;
+    return std::abs(shown(a) - shown(b)) > most || std::abs(a.mean_alpha() - b.mean_alpha()) > most;
+  }
+
+  void sample_middle(int x, int y, Shader::Scratch& scratch, Samples& samples) const {
+    add_sample(x, y, Vector2f::Zero(), scratch, samples);
   }
 
   void sample(int x, int y, int begin, int end, Shader::Scratch& scratch, Samples& samples) const {
     const auto seed =
         static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.width) + static_cast<std::uint32_t>(x);
-    for (int s = begin; s < end; ++s) {
-      const Vector2f offset = sample_offset(seed, s);
-      const Vector2f place(pixel_ * (static_cast<float>(x) + 0.5f + offset.x()) - pixel_ * 0.5f * options_.width,
-                           1 - pixel_ * (static_cast<float>(y) + 0.5f + offset.y()));
-      const Light light = shader_.eye_light(eye_ray(place), scratch);
-      const Vector3f total = light.added + light.transmitted.cwiseProduct(backdrop(place));
-      // A sample brighter than white would spoil the smoothing of its pixel's edges.
-      samples.add((static_cast<float>(options_.exposure) * total).cwiseMin(tone_.white), 1 - light.transmitted.mean());
-    }
+    for (int s = begin; s < end; ++s) add_sample(x, y, sample_offset(seed, s), scratch, samples);
+  }
+
+  void add_sample(int x, int y, const Vector2f& offset, Shader::Scratch& scratch, Samples& samples) const {
+    const Vector2f place(pixel_ * (static_cast<float>(x) + 0.5f + offset.x()) - pixel_ * 0.5f * options_.width,
+                         1 - pixel_ * (static_cast<float>(y) + 0.5f + offset.y()));
+    const Light light = shader_.eye_light(eye_ray(place), scratch);
+    const Vector3f total = light.added + light.transmitted.cwiseProduct(backdrop(place));
+    // A sample brighter than white would spoil the smoothing of its pixel's edges.
+    samples.add((static_cast<float>(options_.exposure) * total).cwiseMin(tone_.white), 1 - light.transmitted.mean());
   }
 
   Pixel encoded(const Samples& samples) const {

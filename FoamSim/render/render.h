@@ -20,7 +20,8 @@ struct RenderOptions {
   /// Size, pixels, 1 … 32768 each.
   int width = 800;
   int height = 600;
-  /// Most rays a pixel, 1 … 4096; four suffice where neither they nor the pixels around differ by what can be seen.
+  /// Most rays a pixel, 1 … 4096; one suffices where the pixels around have the same light, and four where neither they
+  /// nor those around differ by what can be seen.
   int samples = 16;
   Background background = Background::dark;
 

@@ -27,12 +27,19 @@ float tube_radius(const FilmMesh& mesh, const RenderOptions& options) {
   return std::min(static_cast<float>(options.tube_radius), 0.3f * mesh.mean_edge);
 }
 
+float thinnest_line_of(const FilmMesh& mesh, const RenderOptions& options) {
+  if (options.wireframe) return 0;
+  const float tube = 2 * tube_radius(mesh, options);
+  return tube > 0 ? tube : kFar;
+}
+
 }  // namespace
 
 Shader::Shader(const FilmMesh& mesh, const CameraAxes& axes, const RenderOptions& options, float pixel_angle)
     : mesh_(mesh),
       options_(options),
       pixel_angle_(pixel_angle),
+      thinnest_line_(thinnest_line_of(mesh, options)),
       scene_(mesh, tube_radius(mesh, options), options.boundary_tubes ? tube_radius(mesh, options) : 0),
       environment_(axes, options.background == Background::white ? 0.6f : 1.0f),
       thickness_(options.film_thickness, options.thickness_variation, axes.up.cast<float>()),

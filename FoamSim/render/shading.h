@@ -31,6 +31,9 @@ class Shader {
   /// Light along a ray from the eye, without the background.
   Light eye_light(const Ray& ray, Scratch& scratch) const;
 
+  /// Width of the thinnest lines that it draws, tubes or triangles' edges, scene units; infinite without lines.
+  float thinnest_line() const { return thinnest_line_; }
+
  private:
   struct FilmPoint {
     Eigen::Vector3f position;
@@ -54,6 +57,7 @@ class Shader {
   const FilmMesh& mesh_;
   const RenderOptions& options_;
   float pixel_angle_;
+  float thinnest_line_;
   RayScene scene_;
   Environment environment_;
   ThicknessField thickness_;

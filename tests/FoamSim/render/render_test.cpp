@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +20,15 @@ double opacity(const Image& image) {
   double sum = 0;
   for (const Pixel& p : image.pixels()) sum += p[3] / 255.0;
   return sum;
+}
+
+// As one pixel that has the light of all of them, mean of the colours, of 255.
+double mean_of_block(const Image& image, int left, int top, int size) {
+  double sum = 0;
+  for (int y = top; y < top + size; ++y)
+    for (int x = left; x < left + size; ++x)
+      for (std::size_t i = 0; i < 3; ++i) sum += std::pow(image.at(x, y)[i] / 255.0, 2.2);
+  return 255 * std::pow(sum / (3.0 * size * size), 1 / 2.2);
 }
 
 // Films so dense that they let nothing through: the alpha channel is then the covered part of each pixel.
@@ -47,21 +57,38 @@ TEST(Render, covers_the_projected_area_of_a_sphere) {
   EXPECT_NEAR(opacity(render(s, camera, options)), expected, 0.004 * expected);
 }
 
-TEST(Render, tubes_cover_length_times_width) {
-  // One small triangle, held far from the middle of a wide picture by a film seen edge-on: only its rims show.
-  Surface s;
-  s.positions = {{-1, 0, 1}, {1, 0, 1}, {0, 0, -1}};
-  s.triangles = {{0, 1, 2}};
-  s.labels = {{1, 0}};
+// One triangle that is seen edge-on from far away: only its rims show, a line in the middle of the picture, along a row
+// of pixels' edges. Half the picture's height is 1.5.
+struct EdgeOn {
+  Surface surface;
   Camera camera;
-  camera.eye = {0, 0, 1000};
-  camera.vertical_fov = 2 * std::atan(1.5e-3) * 180 / std::numbers::pi;  // half the picture's height is 1.5
+
+  EdgeOn() {
+    surface.positions = {{-1, 0, 1}, {1, 0, 1}, {0, 0, -1}};
+    surface.triangles = {{0, 1, 2}};
+    surface.labels = {{1, 0}};
+    camera.eye = {0, 0, 1000};
+    camera.vertical_fov = 2 * std::atan(1.5e-3) * 180 / std::numbers::pi;
+  }
+};
+
+TEST(Render, tubes_cover_length_times_width) {
+  const EdgeOn line;
   RenderOptions options = silhouette(150, 150);
   options.tube_radius = 0.04;  // 0.06 in length
   const double expected = (2 * 2 * 0.06 + std::numbers::pi * 0.06 * 0.06) * 50 * 50;
-  EXPECT_NEAR(opacity(render(s, camera, options)), expected, 0.02 * expected);
+  EXPECT_NEAR(opacity(render(line.surface, line.camera, options)), expected, 0.02 * expected);
   options.boundary_tubes = false;
-  EXPECT_LT(opacity(render(s, camera, options)), 0.01 * expected);
+  EXPECT_LT(opacity(render(line.surface, line.camera, options)), 0.01 * expected);
+}
+
+TEST(Render, lines_between_the_middles_of_pixels_are_not_missed) {
+  const EdgeOn line;
+  RenderOptions options = silhouette(150, 150);
+  for (const double width : {0.4, 0.8, 1.2}) {  // pixels
+    options.tube_radius = width / 150;
+    EXPECT_NEAR(opacity(render(line.surface, line.camera, options)), 100 * width, 10 * width) << width;
+  }
 }
 
 // Seen face-on each film passes (1 − R) exp(−density); a ray through the middle of k spheres crosses 2 k of them.
@@ -93,6 +120,29 @@ TEST(Render, rim_is_more_opaque_than_the_middle) {
   // Half the picture's height is 8 tan 8° = 1.124, so the silhouette crosses the middle row near pixel 95.
   EXPECT_GT(image.at(93, 50)[3], 3 * image.at(60, 50)[3]);
   EXPECT_EQ(image.at(99, 50)[3], 0);
+}
+
+// Rays are saved where pixels look alike: what is seen is what a picture of sixteen times as many shows, thin lines,
+// seen from everywhere, too.
+TEST(Render, saved_rays_are_not_missed) {
+  const Surface s = double_bubble(24);
+  RenderOptions options;
+  options.width = 160;
+  options.height = 120;
+  for (const double tube_radius : {0.009, 0.0035, 0.0}) {
+    options.tube_radius = tube_radius;
+    RenderOptions fine = options;
+    fine.width *= 4;
+    fine.height *= 4;
+    const Image few = render(s, options), many = render(s, fine);
+    constexpr int block = 8;
+    double largest = 0;
+    for (int y = 0; y < options.height; y += block)
+      for (int x = 0; x < options.width; x += block)
+        largest =
+            std::max(largest, std::abs(mean_of_block(few, x, y, block) - mean_of_block(many, 4 * x, 4 * y, 4 * block)));
+    EXPECT_LT(largest, 3.5) << "of 255, tubes of " << tube_radius;
+  }
 }
 
 TEST(Render, same_bits_with_one_thread_and_two) {

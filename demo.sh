@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 out=out/demo
-./install-deps.sh
+./install-deps.sh --to-run
 cmake --preset release >/dev/null
 cmake --build --preset release --target foamsim_program foamsim_manual multitracker_program multitracker_manual -j "$(nproc)"
 

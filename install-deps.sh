@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian 12 packages that FoamSim is built, tested and plotted with; does nothing when all are there.
+# Installs the Debian 12 packages that FoamSim is built, tested and plotted with; does nothing when all are there. --to-run:
+# only those that building the programs, running them and plotting take.
 set -euo pipefail
 
 packages=(
@@ -12,17 +13,25 @@ packages=(
   libopenmpi-dev openmpi-bin
   # tests and benchmarks
   libgtest-dev librapidcheck-dev libbenchmark-dev
-  # import foamsim, and its tests
-  pybind11-dev python3-dev python3-numpy python3-pytest
-  # read what is written for ParaView and other programs, in the tests
-  python3-vtk9 python3-meshio
+  # import foamsim
+  pybind11-dev python3-dev python3-numpy
   # plots
   python3-matplotlib
   # films
   ffmpeg
-  # the viewer in a browser, and its tests
-  nodejs chromium
-  # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces in a test
+  # the viewer in a browser
+  nodejs
+)
+test_packages=(
+  # import foamsim
+  python3-pytest
+  # read what is written for ParaView and other programs
+  python3-vtk9 python3-meshio
+  # imports frames
+  blender
+  # shows the viewer
+  chromium
+  # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces
   evolver-nox
   # style, the second compiler and its sanitizers, reference pages
   clang-format clang-tidy clang libclang-rt-dev doxygen
@@ -31,6 +40,11 @@ packages=(
   # Debian packages, and a system to try them in
   dpkg-dev mmdebstrap
 )
+case "${1:-}" in
+  --to-run) ;;
+  "") packages+=("${test_packages[@]}") ;;
+  *) echo "install-deps.sh: '$1' is no option; --to-run is one" >&2; exit 2 ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -59,6 +59,7 @@ ordered_json topology_json(const TopologyStatistics& statistics) {
   ordered_json value = operations_json<TopologyOperation>(statistics.operations);
   value["cancelled_triangles"] = statistics.cancelled_triangles;
   value["incomplete_vertices"] = statistics.incomplete_vertices;
+  value["incomplete_by_refusal"] = by_reason(statistics.incomplete_by_refusal);
   value["seconds"] = statistics.seconds;
   return value;
 }

@@ -254,7 +254,10 @@ void TopologyPass::separate_vertices() {
       const Vec3 position = c_.mesh.position(v);
       const auto refusal = separation_.attempt(v);
       counts.count(refusal);
-      if (refusal) continue;
+      if (refusal) {
+        refused_.emplace_back(v, *refusal);
+        continue;
+      }
       incomplete_.reset();
       note(TopologyOperation::separation, separation_.regions(), position);
       for (Vertex changed : {v, separation_.added()}) {
@@ -269,10 +272,19 @@ void TopologyPass::separate_vertices() {
 }
 
 void TopologyPass::count_what_is_left() {
-  statistics_.incomplete_vertices = incomplete_.value_or(0);
-  if (incomplete_) return;
+  std::ranges::stable_sort(refused_, {}, &std::pair<Vertex, Refusal>::first);
+  const auto count = [this](Vertex v) {
+    ++statistics_.incomplete_vertices;
+    const auto last = std::ranges::upper_bound(refused_, v, {}, &std::pair<Vertex, Refusal>::first);
+    if (last != refused_.begin() && std::prev(last)->first == v)
+      ++statistics_.incomplete_by_refusal[static_cast<std::size_t>(std::prev(last)->second)];
+  };
+  if (incomplete_) {  // all were tried, once, and refused
+    for (const auto& [v, refusal] : refused_) count(v);
+    return;
+  }
   for (Vertex v : c_.mesh.vertices())
-    if (!is_complete(c_.mesh, v)) ++statistics_.incomplete_vertices;
+    if (!is_complete(c_.mesh, v)) count(v);
 }
 
 }  // namespace lostopos

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "LosTopos/topology/near_pairs.h"
@@ -22,7 +23,7 @@ class TopologyPass {
   void merge_short_edges();       ///< shortest first; those that an edge collapse must leave, because films would meet
   void snap_near_places();        ///< nearest first
   void separate_vertices();       ///< in order of handles; both results are looked at again
-  /// Counts the vertices where regions meet without a common film.
+  /// Counts the vertices where regions meet without a common film, and what kept each from being separated.
   void count_what_is_left();
 
  private:
@@ -40,6 +41,7 @@ class TopologyPass {
   VertexSeparation separation_;
   double merge_distance_;                  // L
   std::optional<std::size_t> incomplete_;  // vertices, where they have been counted and nothing has changed since
+  std::vector<std::pair<Vertex, Refusal>> refused_;  // separations, in their order
 };
 
 }  // namespace lostopos

@@ -28,6 +28,7 @@ TopologyStatistics& TopologyStatistics::operator+=(const TopologyStatistics& oth
   for (std::size_t i = 0; i < operations.size(); ++i) operations[i] += other.operations[i];
   cancelled_triangles += other.cancelled_triangles;
   incomplete_vertices = other.incomplete_vertices;
+  incomplete_by_refusal = other.incomplete_by_refusal;
   events.insert(events.end(), other.events.begin(), other.events.end());
   seconds += other.seconds;
   return *this;

@@ -36,8 +36,10 @@ struct TopologyStatistics {
   std::array<OperationCounts, topology_operation_count> operations;
   std::size_t cancelled_triangles = 0;  ///< coincident ones that became one film or vanished
   std::size_t incomplete_vertices = 0;  ///< left by the last pass: two regions meet there without a common film
-  std::vector<TopologyEvent> events;    ///< in the order in which they happened
-  double seconds = 0;                   ///< wall time in all
+  /// Of these, by what kept the last attempt from separating them; where none was made they are in no class.
+  std::array<std::size_t, refusal_count> incomplete_by_refusal{};
+  std::vector<TopologyEvent> events;  ///< in the order in which they happened
+  double seconds = 0;                 ///< wall time in all
 
   OperationCounts& operator[](TopologyOperation o) { return operations[static_cast<std::size_t>(o)]; }
   const OperationCounts& operator[](TopologyOperation o) const { return operations[static_cast<std::size_t>(o)]; }

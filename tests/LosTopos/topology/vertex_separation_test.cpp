@@ -5,6 +5,7 @@
 #include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/shapes/voronoi_foam.h"
+#include "LosTopos/topology/topology_pass.h"
 #include "tests/LosTopos/remeshing/patches.h"
 #include "tests/LosTopos/topology/clusters.h"
 #include "tests/support/film_meshes.h"
@@ -107,6 +108,29 @@ TEST(VertexSeparation, AFlowThatConvergesSeparatesNothing) {
   const auto before = mesh.state();
   for (Vertex v : incomplete_vertices(mesh)) EXPECT_EQ(separation.attempt(v), Refusal::not_better);
   EXPECT_TRUE(test::same_bits(before, mesh.state()));
+}
+
+// What is left after a pass is told by what kept it so.
+TEST(VertexSeparation, VerticesThatStayIncompleteAreCountedByTheReason) {
+  for (const bool hold_some : {false, true}) {
+    SurfaceMesh mesh = test::four_columns({Region(1), Region(2), Region(3), Region(4)});
+    auto held = mesh.add_vertex_attribute<Hold>(Hold::none);
+    const std::vector<Vertex> incomplete = incomplete_vertices(mesh);
+    ASSERT_GT(incomplete.size(), 2u);
+    if (hold_some) held[incomplete.front()] = Hold::all;
+    RemeshContext context(mesh, held, test::wide_bounds());
+    TopologyOptions options;
+    options.separation = SeparationRule::flow;
+    TopologyStatistics statistics;
+    TopologyPass pass(
+        context, options, [&](Vertex v) -> Vec3 { return -mesh.position(v); }, statistics);
+    pass.separate_vertices();
+    pass.count_what_is_left();
+    const auto left_by = [&](Refusal r) { return statistics.incomplete_by_refusal[static_cast<std::size_t>(r)]; };
+    EXPECT_EQ(statistics.incomplete_vertices, incomplete.size());
+    EXPECT_EQ(left_by(Refusal::held), hold_some ? 1u : 0u);
+    EXPECT_EQ(left_by(Refusal::not_better), incomplete.size() - (hold_some ? 1 : 0));
+  }
 }
 
 TEST(VertexSeparation, HeldVerticesAreNotSeparated) {

@@ -177,10 +177,17 @@ void append_names(const Range& columns, std::vector<std::string>& names) {
       names.push_back(column->name());
 }
 
+[[noreturn]] void throw_unknown_field(const std::string& name, const std::vector<std::string>& known) {
+  std::string list = all_fields;
+  for (const std::string& field : known) list.append(", ").append(field);
+  throw base::InputError("option 'fields': there is no field '" + name + "' in this scene; there are: " + list);
+}
+
 }  // namespace
 
 std::vector<std::string> picture_field_names(const Simulation& simulation) {
   std::vector<std::string> names;
+  names.reserve(film_fields.size());
   for (const PictureField& field : film_fields) names.emplace_back(field.name);
   append_names(simulation.mesh().named_vertex_attributes(), names);
   append_names(simulation.mesh().named_triangle_attributes(), names);
@@ -189,12 +196,8 @@ std::vector<std::string> picture_field_names(const Simulation& simulation) {
 
 void require_picture_fields(const Simulation& simulation, std::span<const std::string> names) {
   const std::vector<std::string> known = picture_field_names(simulation);
-  for (const std::string& name : names) {
-    if (name == all_fields || std::ranges::find(known, name) != known.end()) continue;
-    std::string list = all_fields;
-    for (const std::string& field : known) list += ", " + field;
-    throw base::InputError("option 'fields': there is no field '" + name + "' in this scene; there are: " + list);
-  }
+  for (const std::string& name : names)
+    if (name != all_fields && std::ranges::find(known, name) == known.end()) throw_unknown_field(name, known);
 }
 
 SurfaceData picture_of(const Simulation& simulation, const PictureSetup& setup) {

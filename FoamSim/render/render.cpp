@@ -124,12 +124,15 @@ class Picture {
     Pixels(int width, int height, int margin)
         : margin_(margin),
           stride_(width + 2 * margin),
-          pixels_(static_cast<std::size_t>(stride_) * (height + 2 * margin)) {}
+          pixels_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height + 2 * margin)) {}
     Samples& at(int x, int y) { return pixels_[place(x, y)]; }
     const Samples& at(int x, int y) const { return pixels_[place(x, y)]; }
 
    private:
-    std::size_t place(int x, int y) const { return static_cast<std::size_t>((y + margin_) * stride_ + x + margin_); }
+    std::size_t place(int x, int y) const {
+      return static_cast<std::size_t>(y + margin_) * static_cast<std::size_t>(stride_) +
+             static_cast<std::size_t>(x + margin_);
+    }
     int margin_, stride_;
     std::vector<Samples> pixels_;
   };

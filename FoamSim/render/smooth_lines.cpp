@@ -29,7 +29,7 @@ Ends ends_of(const std::vector<Segment>& segments) {
 // Of the curve at `at`, on its way towards `next`, as long as the segment between them.
 Vector3f tangent(const Ends& ends, const Vector3f& at, const Vector3f& next) {
   constexpr float smallest_cosine = 0.5f;
-  const Vector3f straight = next - at;
+  Vector3f straight = next - at;
   const std::vector<Vector3f>& others = ends.at(key_of(at));
   if (others.size() != 2) return straight;
   const Vector3f before = at - (others[0] == next ? others[1] : others[0]);

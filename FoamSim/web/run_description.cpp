@@ -49,6 +49,7 @@ ordered_json volumes_json(const NumberTable& table) {
         row[static_cast<std::size_t>(volume)];
   }
   std::vector<long> steps;
+  steps.reserve(by_step.size());
   for (const auto& [step, volumes] : by_step) steps.push_back(step);
   const std::size_t most = std::clamp<std::size_t>(most_volumes / std::max<std::size_t>(1, regions.size()), 2, 500);
   for (std::size_t i : spread_indices(steps.size(), most)) {

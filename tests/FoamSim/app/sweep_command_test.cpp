@@ -178,7 +178,7 @@ TEST(SweepCommand, ListsCommandsForGnuParallel) {
 struct BadGrid {
   std::string name, text;
   std::vector<std::string> message_has;
-  std::string more = "";
+  std::string more = {};
 };
 
 class BadSweep : public testing::TestWithParam<BadGrid> {};

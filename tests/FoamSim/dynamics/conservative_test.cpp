@@ -193,8 +193,8 @@ TEST(Conservative, TellsWhatRemeshingPutsIntoTheAirAndStaysAsItIs) {
     SimulationOptions options{.dt = 0.01, .resolution = 0.25, .air_by_stage = measured};
     options.tracker.remeshing = true;
     auto simulation = std::make_unique<Simulation>(double_bubble(12), options, parts({}));
-    std::vector<StepReport> reports;
-    for (int i = 0; i < 40; ++i) reports.push_back(simulation->step());
+    std::vector<StepReport> reports(40);
+    for (StepReport& report : reports) report = simulation->step();
     return std::pair(std::move(simulation), std::move(reports));
   };
   const auto [simulation, reports] = run(true);

@@ -1,6 +1,7 @@
 // export-web and view as programs: one line for what cannot be used, and a server that ends as it is told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "program.h"

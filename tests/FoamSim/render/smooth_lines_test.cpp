@@ -13,6 +13,7 @@ using Eigen::Vector3f;
 TEST(SmoothLines, follow_a_circle_between_its_corners) {
   constexpr int corners = 12;
   std::vector<Segment> circle;
+  circle.reserve(corners);
   const auto corner = [](int i) {
     const double angle = 2 * std::numbers::pi * (i % corners) / corners;
     return Vector3f(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0);

@@ -122,12 +122,13 @@ TEST(RunPages, SayWhatIsDamaged) {
 
 // A server in a thread of its own, and what raw requests get from it.
 class RunningServer : public testing::Test {
- protected:
+ public:
   ~RunningServer() override {
     stop_ = true;
     thread_.join();
   }
 
+ protected:
   std::string head(const std::string& line, const std::string& more = "") const {
     return line + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server_.port()) + "\r\n" + more +
            "Connection: close\r\n\r\n";

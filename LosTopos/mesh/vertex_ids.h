@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "LosTopos/mesh/surface_mesh.h"
 

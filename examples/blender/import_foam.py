@@ -251,13 +251,24 @@ def import_foam(paths, frame_time=None, fps=24, every=1):
     return objects
 
 
+def positive(text):
+    if int(text) <= 0:
+        raise argparse.ArgumentTypeError(f"{text} is not positive")
+    return int(text)
+
+
+def picture_size(text):
+    width, height = text.split("x")
+    return positive(width), positive(height)
+
+
 def main(words):
     parser = argparse.ArgumentParser(prog="import_foam.py", description=__doc__.split("\n")[0])
     parser.add_argument("paths", nargs="+", help="the folder of a run, or .ply and .obj files")
     parser.add_argument("--frame-time", type=float, help="simulated time between two files (T); of a run it is known")
-    parser.add_argument("--fps", type=int, default=24, help="frames a second of the film")
-    parser.add_argument("--every", type=int, default=1, help="take one frame of so many")
-    parser.add_argument("--view", metavar="WxH", help="a new scene with camera and sky, and Cycles set up for pictures of this size")
+    parser.add_argument("--fps", type=positive, default=24, help="frames a second of the film")
+    parser.add_argument("--every", type=positive, default=1, help="take one frame of so many")
+    parser.add_argument("--view", metavar="WxH", type=picture_size, help="a new scene with camera and sky, and Cycles set up for pictures of this size")
     parser.add_argument("--save", metavar="FILE", help="write a .blend file")
     arguments = parser.parse_args(words)
     if arguments.view:
@@ -265,7 +276,7 @@ def main(words):
     objects = import_foam(arguments.paths, arguments.frame_time, arguments.fps, arguments.every)
     bpy.context.scene.frame_set(1)
     if arguments.view:
-        set_up_view(objects, [int(number) for number in arguments.view.split("x")])
+        set_up_view(objects, arguments.view)
     if arguments.save:
         bpy.ops.wm.save_as_mainfile(filepath=str(pathlib.Path(arguments.save).absolute()))
     print(f"{len(objects)} frames imported")

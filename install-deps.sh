@@ -31,6 +31,8 @@ test_packages=(
   blender
   # shows the viewer
   chromium
+  # takes our completion
+  zsh
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces
   evolver-nox
   # style, the second compiler and its sanitizers, reference pages

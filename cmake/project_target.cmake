@@ -21,7 +21,7 @@ function(foamsim_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -ffp-contract=off)
   # Where sources are compiled together (CMAKE_UNITY_BUILD): from nothing in 60% of the time, a change in about twice.
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
   # Precompiled headers fit only targets with the same flags, and programs would get -fPIE where libraries get -fPIC.
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   target_compile_options(${target} PRIVATE -fPIC)
@@ -30,6 +30,8 @@ function(foamsim_configure_target target)
     # GCC 12 sees sizes that cannot occur in the copies of small_vector and of std::string.
     target_compile_options(${target} PRIVATE -Wno-stringop-overread -Wno-stringop-overflow -Wno-array-bounds
                                              -Wno-restrict)
+    # A source takes a gigabyte with or without; collecting garbage from 128 MB on is a tenth of the time.
+    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=524288)
   endif()
   if(FOAMSIM_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

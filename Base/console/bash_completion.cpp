@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "Base/console/shell_completion.h"
+#include "Base/names/words.h"
 
 namespace base {
 namespace {
@@ -60,12 +61,6 @@ _SELF() {
 }
 
 complete -F _SELF )";
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
 
 std::string keys_of(const Argument& argument) {
   std::vector<std::string> keys;

@@ -1,4 +1,5 @@
 #include "Base/console/shell_completion.h"
+#include "Base/names/words.h"
 
 namespace base {
 namespace {
@@ -11,12 +12,6 @@ std::string escaped(const std::string& text) {
     result += letter == '\'' ? "'\\''" : std::string(1, letter);
   }
   return result;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
 }
 
 // The function that completes the key=value words of a command's function `name`.

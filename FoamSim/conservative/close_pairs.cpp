@@ -16,10 +16,10 @@ namespace {
 
 using Cube = std::array<std::int64_t, 3>;
 
-struct Place {
+struct PointInCube {
   Cube cube;
   std::uint32_t point;
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const PointInCube&) const = default;
 };
 
 constexpr std::size_t grain = 32;
@@ -82,7 +82,7 @@ class Cubes {
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy) {
         const Cube first{cube[0] + dx, cube[1] + dy, cube[2] - 1}, behind{cube[0] + dx, cube[1] + dy, cube[2] + 2};
-        const auto begin = std::ranges::lower_bound(places_, Place{first, 0});
+        const auto begin = std::ranges::lower_bound(places_, PointInCube{first, 0});
         auto end = begin;
         while (end != places_.end() && end->cube < behind) ++end;
         ranges[n++] = {begin - places_.begin(), end - places_.begin()};
@@ -91,7 +91,7 @@ class Cubes {
   }
 
   double square_;
-  std::vector<Place> places_;
+  std::vector<PointInCube> places_;
   std::vector<std::uint32_t> points_;  // of the places
   std::vector<Vec3> x_;
   std::vector<std::size_t> first_;  // places of each cube that has any, and their end

@@ -4,7 +4,7 @@
 
 #include "Base/error.h"
 #include "Base/io/number_text.h"
-#include "FoamSim/constraints/words.h"
+#include "Base/names/words.h"
 
 namespace foamsim {
 
@@ -37,7 +37,7 @@ bool Selection::HalfSpace::contains(const lostopos::Vec3& x) const {
 }
 
 Selection::Selection(std::string_view text) {
-  const std::vector<std::string> words = words_of(text);
+  const std::vector<std::string> words = base::words_of(text);
   for (auto begin = words.begin(); begin != words.end();) {
     const auto end = std::find(begin, words.end(), "and");
     terms_.push_back(parse_term({begin, end}, text));
@@ -48,7 +48,7 @@ Selection::Selection(std::string_view text) {
 }
 
 Selection::Term Selection::parse_term(std::span<const std::string> words, std::string_view all) {
-  const std::string part = joined(words);
+  const std::string part = base::joined(words);
   if (part == "held") return Held{};
   if (part == "free-edges") return FreeEdges{};
   if (words.size() > 1 && words[0] == "vertices") {
@@ -61,7 +61,7 @@ Selection::Term Selection::parse_term(std::span<const std::string> words, std::s
     return numbers;
   }
   // "x < 0" and "x<0" alike.
-  const std::string half_space = joined(words, "");
+  const std::string half_space = base::joined(words, "");
   const auto coordinate = half_space.empty() ? std::string_view::npos : coordinate_names.find(half_space[0]);
   const auto bound_at = half_space.find_first_not_of("<>=", 1);
   if (coordinate == std::string_view::npos || bound_at == std::string::npos) throw_bad(part, all);

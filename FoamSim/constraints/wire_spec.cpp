@@ -5,7 +5,7 @@
 
 #include "Base/error.h"
 #include "Base/io/number_text.h"
-#include "FoamSim/constraints/words.h"
+#include "Base/names/words.h"
 
 namespace foamsim {
 
@@ -24,7 +24,7 @@ std::string_view selection_part(std::string_view text) {
 // Takes a motion apart from left to right.
 class MotionReader {
  public:
-  explicit MotionReader(std::string_view wire) : wire_(wire), words_(words_of(wire.substr(wire.find(':') + 1))) {}
+  explicit MotionReader(std::string_view wire) : wire_(wire), words_(base::words_of(wire.substr(wire.find(':') + 1))) {}
 
   WireMotion read() {
     WireMotion motion;

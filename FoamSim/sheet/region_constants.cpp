@@ -18,16 +18,16 @@ namespace {
 struct PairSum {
   double area = 0, circulation_area = 0;
 };
-using PairSums = std::map<RegionPair, PairSum>;
+using SumsOfPairs = std::map<RegionPair, PairSum>;
 
 double area(const SheetTriangle& t, std::span<const Vec3> positions) {
   const Vec3& a = positions[t.vertices[0].index()];
   return 0.5 * (positions[t.vertices[1].index()] - a).cross(positions[t.vertices[2].index()] - a).norm();
 }
 
-PairSums sum_over_pairs(const SurfaceMesh& mesh, std::span<const SheetTriangle> sheet,
-                        std::span<const Vec3> positions) {
-  PairSums sums;
+SumsOfPairs sum_over_pairs(const SurfaceMesh& mesh, std::span<const SheetTriangle> sheet,
+                           std::span<const Vec3> positions) {
+  SumsOfPairs sums;
   for (const SheetTriangle& t : sheet) {
     const lostopos::Labels labels = mesh.labels(t.triangle);
     const double a = area(t, positions);
@@ -43,7 +43,7 @@ PairSums sum_over_pairs(const SurfaceMesh& mesh, std::span<const SheetTriangle> 
 // that counts, and the system for the others is then positive definite.
 class RegionConstants {
  public:
-  explicit RegionConstants(const PairSums& sums) {
+  explicit RegionConstants(const SumsOfPairs& sums) {
     for (const auto& [pair, sum] : sums) regions_.insert(regions_.end(), {pair.low, pair.high});
     std::ranges::sort(regions_);
     regions_.erase(std::unique(regions_.begin(), regions_.end()), regions_.end());
@@ -66,7 +66,7 @@ class RegionConstants {
     return i;
   }
 
-  void find_groups(const PairSums& sums) {
+  void find_groups(const SumsOfPairs& sums) {
     lowest_.resize(regions_.size());
     std::iota(lowest_.begin(), lowest_.end(), 0);
     for (const auto& [pair, sum] : sums) {
@@ -75,7 +75,7 @@ class RegionConstants {
     }
   }
 
-  void solve(const PairSums& sums) {
+  void solve(const SumsOfPairs& sums) {
     const auto n = static_cast<Eigen::Index>(regions_.size());
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(n);

@@ -103,7 +103,7 @@ double bubbles_that_three_touches(const Simulation& simulation) {
   return (contact_of(simulation, 1, 3) > 0 ? 1 : 0) + (contact_of(simulation, 2, 3) > 0 ? 1 : 0);
 }
 
-std::vector<GalleryScene> bubbles() {
+std::vector<GalleryScene> scenes_of_bubbles() {
   return {
       {"sphere", 0.3, {}, {{"volume of the bubble", 0.3, volume(1), 1.66068, 0.01, "as at the start"}}},
       {"mode", 0.1, {"mode=4", "amplitude=0.2"}, {{"volume", 0.1, volume(1), 4.19, 0.03, "a ball's"}}},
@@ -115,7 +115,7 @@ std::vector<GalleryScene> bubbles() {
   };
 }
 
-std::vector<GalleryScene> junctions() {
+std::vector<GalleryScene> scenes_of_junctions() {
   return {
       {"barrel", 0.2, {}, {{"area", 0.2, area_of_films, 48 * std::sin(pi / 24), 1e-10, "as at the start"}}},
       {"triplejunction", 0.2, {}, {{"area", 0.2, area_of_films, 4, 1e-10, "as at the start"}}},
@@ -126,7 +126,7 @@ std::vector<GalleryScene> junctions() {
   };
 }
 
-std::vector<GalleryScene> wires() {
+std::vector<GalleryScene> scenes_of_wires() {
   return {
       {"constrainedsphere",
        1,
@@ -160,7 +160,7 @@ std::vector<GalleryScene> wires() {
   };
 }
 
-std::vector<GalleryScene> foams() {
+std::vector<GalleryScene> scenes_of_foams() {
   return {
       {"foaminit", 0.6, {}, {{"volume of each", 0.2, volume(1), 0.5685, 0.01, of_reference}}, {0.2, 0.9, 0.4}},
       {"growth", 0.6, {}, {{"bubbles", 0.6, regions, 8, 0, "as at the start"}}},
@@ -173,7 +173,7 @@ std::vector<GalleryScene> foams() {
 
 std::vector<GalleryScene> gallery_scenes() {
   std::vector<GalleryScene> all;
-  for (auto* part : {bubbles, junctions, wires, foams})
+  for (auto* part : {scenes_of_bubbles, scenes_of_junctions, scenes_of_wires, scenes_of_foams})
     for (GalleryScene& scene : part()) all.push_back(std::move(scene));
   return all;
 }

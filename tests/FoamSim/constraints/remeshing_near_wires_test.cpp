@@ -89,11 +89,9 @@ TEST(RemeshingNearWires, KeepsWhatIsHeldAndSolid) {
   const ObserverToken token = tracker.add_observer(watch);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shake(-0.03, 0.03);
-  double x = 0;
   for (int step = 0; step < 60; ++step) {
     // The wand goes back and forth, and the film bulges and comes near it again.
     const double motion = step < 30 ? -0.04 : 0.04;
-    x += motion;
     std::vector<Vec3> to(tracker.mesh().positions().begin(), tracker.mesh().positions().end());
     for (Vertex v : tracker.mesh().vertices()) {
       const bool held = is_held(tracker.held()[v]);

@@ -11,7 +11,7 @@ namespace foamsim {
 namespace {
 
 // Why the text, behind its first line, is no scene; empty, and a failure, where it is one.
-std::string refusal(const std::string& text) {
+std::string refusal_of_scene(const std::string& text) {
   const ::test::ScratchFolder scratch;
   std::ofstream(scratch / "scene.toml") << "scene = \"sphere\"\n" << text;
   try {
@@ -30,7 +30,7 @@ std::string repeated(const std::string& text, int times) {
 }
 
 void expect_refusal(const std::string& text, const std::string& part) {
-  const std::string message = refusal(text);
+  const std::string message = refusal_of_scene(text);
   EXPECT_NE(message.find(part), std::string::npos) << message.substr(0, 1000);
 }
 
@@ -59,7 +59,7 @@ TEST(TomlScene, TablesNestedDeeperThanAnyOptionAreRefused) {
 
 TEST(TomlScene, AListOfManyNumbersMayTakeSeveralLines) {
   expect_refusal("dt = [" + repeated("0.5,\n", 300) + "]\n", "scene.toml:2: ");
-  EXPECT_EQ(refusal("dt = [" + repeated("0.5,\n", 300) + "]\n").find("dots"), std::string::npos);
+  EXPECT_EQ(refusal_of_scene("dt = [" + repeated("0.5,\n", 300) + "]\n").find("dots"), std::string::npos);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "FoamSim/constraints/words.h"
+#include "Base/names/words.h"
 
 #include <algorithm>
 
-namespace foamsim {
+namespace base {
 
 std::vector<std::string> words_of(std::string_view text) {
   constexpr std::string_view blanks = " \t\n\r";
@@ -24,4 +24,4 @@ std::string joined(std::span<const std::string> words, std::string_view between)
   return text;
 }
 
-}  // namespace foamsim
+}  // namespace base

@@ -5,7 +5,15 @@
 
 #include <cstddef>
 
-#ifdef __SANITIZE_THREAD__
+// GCC's word for it, and clang's.
+#if defined(__SANITIZE_THREAD__)
+#define FOAMSIM_THREAD_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define FOAMSIM_THREAD_SANITIZER
+#endif
+#endif
+#ifdef FOAMSIM_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -15,7 +23,7 @@ namespace base {
 /// in it, and what a loop wrote is seen after it. Does nothing in other builds.
 class LoopOrder {
  public:
-#ifdef __SANITIZE_THREAD__
+#ifdef FOAMSIM_THREAD_SANITIZER
   LoopOrder() {
     __tsan_release(&begin_);
   }

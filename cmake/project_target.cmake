@@ -30,7 +30,7 @@ function(foamsim_configure_target target)
     # GCC 12 sees sizes that cannot occur in the copies of small_vector and of std::string.
     target_compile_options(${target} PRIVATE -Wno-stringop-overread -Wno-stringop-overflow -Wno-array-bounds
                                              -Wno-restrict)
-    # A source takes a gigabyte with or without; collecting garbage from 128 MB on is a tenth of the time.
+    # Garbage that is collected from 128 MB on is a tenth of the time; without, 1.19 GB instead of 1.03 at the peak.
     target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=524288)
   endif()
   if(FOAMSIM_WERROR)

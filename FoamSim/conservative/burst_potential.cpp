@@ -1,8 +1,9 @@
 #include "FoamSim/conservative/burst_potential.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
+
+#include "FoamSim/linear/dense_solve.h"
 
 namespace foamsim {
 
@@ -125,7 +126,7 @@ void BurstPotential::change_border(const FilmConnectivity& films, const FilmShap
       if (q == air) matrix(rows.at(p), column) += shape.area[t] / 3 / roots[i];
     }
   }
-  const Eigen::VectorXd change = matrix.completeOrthogonalDecomposition().solve(missing);
+  const Eigen::VectorXd change = least_squares(matrix, missing);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     phi[entry_at(films, vertices[i], air)] += change[static_cast<Eigen::Index>(i)] / roots[i];
 }

@@ -1,11 +1,11 @@
 #include "FoamSim/conservative/correction.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "Base/parallel/for_each.h"
+#include "FoamSim/linear/dense_solve.h"
 
 namespace foamsim {
 
@@ -86,8 +86,8 @@ double correct_invariants(const FilmConnectivity& films, const FilmShape& shape,
   // Scaled to a unit diagonal; what is then below rounding (air at rest, a symmetric motion) is left alone.
   Row scale;
   for (int i = 0; i < 7; ++i) scale[i] = normal(i, i) > 0 ? 1 / std::sqrt(normal(i, i)) : 0.0;
-  const Eigen::Matrix<double, 7, 7> scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-  const Row multipliers = scale.cwiseProduct(scaled.completeOrthogonalDecomposition().solve(scale.cwiseProduct(right)));
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+  const Row multipliers = scale.cwiseProduct(least_squares(scaled, scale.cwiseProduct(right)));
   double change = 0;
   for (std::size_t v = 0; v < films.vertex_slots(); ++v)
     for (std::size_t e = films.first_entry[v]; e < films.first_entry[v + 1]; ++e) {

@@ -1,11 +1,11 @@
 #include "FoamSim/conservative/potential.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "Base/parallel/for_each.h"
 #include "FoamSim/conservative/potential_transfer.h"
+#include "FoamSim/linear/dense_solve.h"
 
 namespace foamsim {
 
@@ -117,7 +117,7 @@ void take_circulation(const FilmConnectivity& films, const CirculationField& cir
       right[q] -= change;
     }
     if (!changed) return;
-    const Eigen::VectorXd change = matrix.ldlt().solve(right);
+    const Eigen::VectorXd change = solve_symmetric(matrix, right);
     for (std::size_t i = 0; i < count; ++i) phi[first + i] += change[static_cast<Eigen::Index>(i)];
   });
 }

@@ -1,8 +1,8 @@
 #include "FoamSim/conservative/potential_transfer.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "FoamSim/linear/dense_solve.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -216,7 +216,7 @@ void PotentialTransfer::conserve(const SurfaceMesh& mesh, Vertex v) {
   }
   if (!(total > 0)) return;
   matrix.array() += total;
-  const Eigen::VectorXd change = matrix.ldlt().solve(right);
+  const Eigen::VectorXd change = solve_symmetric(matrix, right);
   for (Eigen::Index i = 0; i < n; ++i) own[static_cast<std::size_t>(i)].value += change[i];
 }
 

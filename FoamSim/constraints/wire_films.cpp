@@ -1,10 +1,11 @@
 #include "FoamSim/constraints/wire_films.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <map>
 #include <optional>
+
+#include "FoamSim/linear/dense_solve.h"
 
 namespace foamsim {
 
@@ -136,10 +137,8 @@ ClosedCirculation::ClosedCirculation(const EffectStep& step, std::span<const Hel
     while (end < films.size() && films[end].vertex == films[first].vertex) ++end;
     if (end - first < 2) continue;
     const std::span<const HeldFilm> here = films.subspan(first, end - first);
-    const Eigen::MatrixXd jumps = jumps_of(step, here);
-    const auto inverse = jumps.completeOrthogonalDecomposition();
-    if (inverse.rank() == jumps.rows()) continue;
-    blocks_.push_back({static_cast<Eigen::Index>(first), jumps * inverse.pseudoInverse()});
+    if (auto projection = projection_onto_range(jumps_of(step, here)))
+      blocks_.push_back({static_cast<Eigen::Index>(first), std::move(*projection)});
   }
 }
 

@@ -1,6 +1,6 @@
 #include "FoamSim/metrics/film_angles.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Base/parallel/for_each.h"
+#include "FoamSim/linear/dense_solve.h"
 #include "FoamSim/metrics/half_planes.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -93,7 +94,7 @@ Vec3 refined_normal(const SurfaceMesh& mesh, const Vec3& x, std::span<const Vert
   double squares = 0;
   for (Vertex p : points) squares += (mesh.position(p) - x).squaredNorm();
   const double scale = std::sqrt(squares / static_cast<double>(points.size()));
-  Eigen::Matrix<double, Eigen::Dynamic, 5> rows(points.size(), 5);
+  Eigen::MatrixXd rows(points.size(), 5);
   Eigen::VectorXd heights(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 d = (mesh.position(points[i]) - x) / scale;
@@ -103,7 +104,7 @@ Vec3 refined_normal(const SurfaceMesh& mesh, const Vec3& x, std::span<const Vert
     rows.row(row) *= weight;
     heights[row] = weight * d.dot(up);
   }
-  const Eigen::VectorXd fit = rows.completeOrthogonalDecomposition().solve(heights);
+  const Eigen::VectorXd fit = least_squares(rows, heights);
   return (up - fit[0] * u - fit[1] * w).normalized();
 }
 

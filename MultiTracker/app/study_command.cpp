@@ -15,7 +15,7 @@
 namespace multitracker::app {
 namespace {
 
-struct Arguments {
+struct StudyArguments {
   RobustnessOptions options;
   std::string out;
   std::optional<double> motion;
@@ -30,7 +30,7 @@ void print(const std::vector<RobustnessSummary>& summaries) {
                 s.cpu_seconds, s.peak_megabytes);
 }
 
-RobustnessOptions options_of(const Arguments& arguments) {
+RobustnessOptions options_of(const StudyArguments& arguments) {
   constexpr double most_motion_until_closed = 20;  // mean edges; some may never close
   RobustnessOptions options = arguments.options;
   if (options.until_closed) options.total_motion = most_motion_until_closed;
@@ -46,12 +46,12 @@ RobustnessOptions options_of(const Arguments& arguments) {
 }
 
 // Of each run; by default the workers share out the cores.
-int threads_of(const Arguments& arguments) {
+int threads_of(const StudyArguments& arguments) {
   if (arguments.threads > 0 || arguments.workers == 1) return static_cast<int>(arguments.threads);
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / arguments.workers));
 }
 
-int study(const Arguments& arguments) {
+int study(const StudyArguments& arguments) {
   const RobustnessOptions options = options_of(arguments);
   const base::ThreadLimit limit(threads_of(arguments));
   const base::InterruptGuard guard;
@@ -83,7 +83,7 @@ void add_study_command(base::Command& root, const Program&) {
   base::Command& studies = root.add_command("study", "many runs, and a table of what they came to");
   base::Command& command =
       studies.add_command("robustness", "spheres that grow into a foam: success rate, shared area, time, memory");
-  auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<StudyArguments>();
   command.add({.name = "--spheres", .target = &a->options.spheres, .help = "numbers of spheres, separated by commas"});
   command.add({.name = "--steps-of",
                .target = &a->options.steps,

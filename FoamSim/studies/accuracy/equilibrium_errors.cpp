@@ -1,11 +1,11 @@
 #include "FoamSim/studies/accuracy/equilibrium_errors.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
 
 #include "Base/error.h"
+#include "FoamSim/linear/dense_solve.h"
 #include "FoamSim/metrics/film_angles.h"
 #include "FoamSim/metrics/junction_angles.h"
 #include "FoamSim/scenes/shapes/double_bubble_equilibrium.h"
@@ -57,7 +57,7 @@ double fitted_radius(const SurfaceMesh& mesh, Region r) {
     matrix += weight * row * row.transpose();
     right += weight * x.squaredNorm() * row;
   }
-  const Eigen::Vector4d solution = matrix.ldlt().solve(right);
+  const Eigen::Vector4d solution = solve_symmetric(matrix, right);
   return std::sqrt(solution[3] + solution.head<3>().squaredNorm());
 }
 

@@ -1,9 +1,9 @@
 #include "FoamSim/studies/modes/modal_amplitudes.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
 
+#include "FoamSim/linear/dense_solve.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {
@@ -26,7 +26,7 @@ std::array<double, fitted_modes> modal_amplitudes(const lostopos::SurfaceMesh& m
     matrix += weight * basis * basis.transpose();
     right += weight * r * basis;
   }
-  const Eigen::Matrix<double, n, 1> solution = matrix.ldlt().solve(right);
+  const Eigen::Matrix<double, n, 1> solution = solve_symmetric(matrix, right);
   std::array<double, fitted_modes> amplitudes;
   for (int k = 0; k < n; ++k) amplitudes[k] = solution[k];
   return amplitudes;

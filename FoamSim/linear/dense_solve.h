@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace foamsim {
+
+// Eigen's dense decompositions, compiled once: each costs a source that has its own some ten seconds.
+
+/// The shortest x among those with the least |A x − b|, whatever A's rank (complete orthogonal decomposition).
+/// a: m × n; b: m. Returns n values.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// The x with A x = b (Cholesky decomposition L D Lᵀ with pivots). a: n × n, symmetric and definite; b: n.
+Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// The orthogonal projection onto what A x can be (m × m); nothing where that is all there is, A's rank being m.
+/// a: m × n.
+std::optional<Eigen::MatrixXd> projection_onto_range(const Eigen::MatrixXd& a);
+
+}  // namespace foamsim

@@ -31,6 +31,8 @@ test_packages=(
   blender
   # shows the viewer
   chromium
+  # makes the runs of a sweep
+  parallel
   # takes our completion
   zsh
   # Surface Evolver (3 MB), whose equilibria are drawn beside ours, and which reads our surfaces

@@ -15,4 +15,11 @@ void erase_repeated(List& list, Projection projection = {}) {
   list.erase(std::unique(list.begin(), list.end(), equal), list.end());
 }
 
+/// Sorts, and keeps one of each.
+template <class List>
+void sort_unique(List& list) {
+  std::sort(list.begin(), list.end());
+  erase_repeated(list);
+}
+
 }  // namespace base

@@ -1,8 +1,8 @@
 #include "FoamSim/conservative/held_flux.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "Base/lists/erase_repeated.h"
 #include "Base/parallel/for_each.h"
 
 namespace foamsim {
@@ -33,8 +33,7 @@ void HeldFlux::update(const FilmConnectivity& films, const FilmShape& shape, std
     for (std::uint32_t e = films.first_entry[v]; e < films.first_entry[v + 1]; ++e) entries_.push_back(e);
     for (std::uint32_t corner : films.around(v)) triangles_.push_back(corner / 3);
   }
-  std::ranges::sort(triangles_);
-  triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
+  base::sort_unique(triangles_);
   sources_.resize(triangles_.size());
   all_phi_.assign(films.entries(), 0.0);
   flux_.assign(films.entries(), 0.0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "FoamSim/linear/dense_solve.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -113,8 +114,7 @@ void PotentialTransfer::touch(const SurfaceMesh& mesh, Vertex v) {
 }
 
 void PotentialTransfer::match_touched(const SurfaceMesh& mesh) {
-  std::ranges::sort(touched_);
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  base::sort_unique(touched_);
   for (Vertex v : touched_)
     if (mesh.alive(v)) match(mesh, v);
   touched_.clear();
@@ -164,8 +164,7 @@ double PotentialTransfer::jump(Vertex v, RegionPair pair) const {
 void PotentialTransfer::remember(const SurfaceMesh& mesh, std::vector<Triangle>& patch) {
   sums_.clear();
   if (!conserving_) return;
-  std::ranges::sort(patch);
-  patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+  base::sort_unique(patch);
   for (Triangle t : patch) {
     const RegionPair pair(mesh.labels(t));
     auto it = std::ranges::find(sums_, pair, &FilmSum::pair);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "Base/lists/erase_repeated.h"
 #include "FoamSim/linear/dense_solve.h"
 
 namespace foamsim {
@@ -157,8 +158,7 @@ std::vector<InductionSource> film_sources(const EffectStep& step, std::span<cons
   for (const HeldFilm& film : films)
     for (Triangle t : mesh.triangles(film.vertex))
       if (!is_solid(t, step.solid) && RegionPair(mesh.labels(t)) == film.pair) triangles.push_back(t);
-  std::ranges::sort(triangles);
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  base::sort_unique(triangles);
   std::vector<InductionSource> sources;
   for (Triangle t : triangles) {
     const auto& v = mesh.vertices(t);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
+
 namespace foamsim {
 
 using lostopos::CollapseEvent;
@@ -20,8 +22,7 @@ void CirculationTransfer::touch(const SurfaceMesh& mesh, Vertex v) {
 }
 
 void CirculationTransfer::match_touched(const SurfaceMesh& mesh) {
-  std::ranges::sort(touched_);
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  base::sort_unique(touched_);
   std::erase_if(touched_, [&mesh](Vertex v) { return !mesh.alive(v); });
   match(values(), mesh, touched_);
   touched_.clear();

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "Base/lists/erase_repeated.h"
+
 namespace foamsim {
 
 using lostopos::Region;
@@ -45,8 +47,7 @@ class RegionConstants {
  public:
   explicit RegionConstants(const SumsOfPairs& sums) {
     for (const auto& [pair, sum] : sums) regions_.insert(regions_.end(), {pair.low, pair.high});
-    std::ranges::sort(regions_);
-    regions_.erase(std::unique(regions_.begin(), regions_.end()), regions_.end());
+    base::sort_unique(regions_);
     find_groups(sums);
     solve(sums);
   }

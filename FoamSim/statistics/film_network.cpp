@@ -1,6 +1,5 @@
 #include "FoamSim/statistics/film_network.h"
 
-#include <algorithm>
 
 #include "Base/lists/disjoint_sets.h"
 #include "Base/lists/erase_repeated.h"
@@ -99,10 +98,8 @@ class Network {
       }
     }
     for (Film& film : out_.films) {
-      std::sort(film.borders.begin(), film.borders.end());
-      base::erase_repeated(film.borders);
-      std::sort(film.vertices.begin(), film.vertices.end());
-      base::erase_repeated(film.vertices);
+      base::sort_unique(film.borders);
+      base::sort_unique(film.vertices);
     }
   }
 

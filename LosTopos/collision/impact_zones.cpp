@@ -70,8 +70,7 @@ std::vector<ImpactZones::ZoneIndex> ImpactZones::take_in(std::span<const Contact
       if (!motion_.held(v)) touched.push_back(zone_of(v));
     }
   }
-  std::ranges::sort(touched);
-  base::erase_repeated(touched);
+  base::sort_unique(touched);
   return touched;
 }
 

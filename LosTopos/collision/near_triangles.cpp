@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "Base/parallel/for_each.h"
 #include "LosTopos/collision/box_overlap.h"
 #include "LosTopos/collision/triangle_gap.h"
@@ -183,8 +184,7 @@ void NearTriangles::overlapping(const SurfaceMesh& mesh, const Box& box, std::ve
   found.clear();
   boxes_.query_unsorted(box, found);
   std::erase_if(found, [&](Triangle t) { return !triangle_box(mesh, t, mesh.positions(), 0).overlaps(box); });
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  base::sort_unique(found);
 }
 
 std::size_t NearTriangles::memory_bytes() const {

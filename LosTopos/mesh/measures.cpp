@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Base/lists/erase_repeated.h"
+
 namespace lostopos {
 
 std::array<Vec3, 3> corners(const SurfaceMesh& mesh, Triangle t) {
@@ -98,8 +100,7 @@ std::vector<Region> regions(const SurfaceMesh& mesh) {
     found.push_back(mesh.labels(t).p);
     found.push_back(mesh.labels(t).q);
   }
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  base::sort_unique(found);
   return found;
 }
 

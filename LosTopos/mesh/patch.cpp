@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace lostopos::carry {
@@ -15,8 +16,7 @@ class Patch {
     for (Triangle t : triangles) vertices_.insert(vertices_.end(), mesh_.vertices(t).begin(), mesh_.vertices(t).end());
   }
   std::vector<Vertex> sorted() {
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    base::sort_unique(vertices_);
     return std::move(vertices_);
   }
 

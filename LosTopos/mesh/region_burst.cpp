@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/measures.h"
 
@@ -25,8 +26,7 @@ std::vector<Region> regions_at_air(const SurfaceMesh& mesh) {
     const Labels labels = mesh.labels(t);
     if (labels.has(air)) found.push_back(labels.p == air ? labels.q : labels.p);
   }
-  std::ranges::sort(found);
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  base::sort_unique(found);
   return found;
 }
 

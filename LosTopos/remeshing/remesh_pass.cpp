@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "Base/lists/erase_repeated.h"
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/geometry/triangle_quality.h"
 #include "LosTopos/mesh/measures.h"
@@ -34,12 +35,6 @@ struct AngleTest {
            !is_sharper(x[0] - x[2], x[1] - x[2], cosine_of_largest);
   }
 };
-
-template <class Tasks>
-void sort_unique(Tasks& tasks) {
-  std::sort(tasks.begin(), tasks.end());
-  tasks.erase(std::unique(tasks.begin(), tasks.end()), tasks.end());
-}
 
 // The edge of t opposite to its largest angle.
 Edge longest_edge(const SurfaceMesh& mesh, Triangle t) {
@@ -107,7 +102,7 @@ void RemeshPass::split_long_edges() {
   for (Edge e : c_.mesh.edges())
     if (too_long(e)) tasks_.push_back({-squared_length(e), e});
   for (int sweep = 0; sweep < c_.options.max_sweeps && !tasks_.empty(); ++sweep) {
-    sort_unique(tasks_);
+    base::sort_unique(tasks_);
     next_tasks_.clear();
     for (const auto& [key, e] : tasks_) {
       // A slot may hold another edge by now: that one is listed by itself.
@@ -141,7 +136,7 @@ void RemeshPass::collapse_short_edges() {
   for (Edge e : c_.mesh.edges())
     if (too_short(e)) tasks_.push_back({squared_length(e), e});
   for (int sweep = 0; sweep < c_.options.max_sweeps && !tasks_.empty(); ++sweep) {
-    sort_unique(tasks_);
+    base::sort_unique(tasks_);
     next_tasks_.clear();
     for (const auto& [key, e] : tasks_) {
       if (!c_.mesh.alive(e) || !too_short(e) || !try_collapse(e)) continue;
@@ -164,7 +159,7 @@ void RemeshPass::flip_edges() {
   for (Edge e : c_.mesh.edges())
     if (EdgeFlip::is_wanted(c_.mesh, e)) tasks_.push_back({0, e});
   for (int sweep = 0; sweep < c_.options.max_sweeps && !tasks_.empty(); ++sweep) {
-    sort_unique(tasks_);
+    base::sort_unique(tasks_);
     next_tasks_.clear();
     for (const auto& [key, e] : tasks_) {
       if (!c_.mesh.alive(e) || !EdgeFlip::is_wanted(c_.mesh, e)) continue;
@@ -184,8 +179,7 @@ void RemeshPass::smooth() {
   for (Triangle t : c_.mesh.triangles())
     if (test.has_small(corners(c_.mesh, t)))
       list.insert(list.end(), c_.mesh.vertices(t).begin(), c_.mesh.vertices(t).end());
-  std::ranges::sort(list);
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  base::sort_unique(list);
   for (Vertex v : list) {
     c_.options.interruption.check();
     statistics_[Operation::smoothing].count(smoothing_.attempt(v));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/shapes/indexed_surface.h"
 
 namespace lostopos {
@@ -19,7 +20,7 @@ bool has_corner(const FilmPolygon& film, std::size_t corner) {
 
 std::vector<std::size_t> renamed(std::vector<std::size_t> corners, std::size_t from, std::size_t to) {
   std::replace(corners.begin(), corners.end(), from, to);
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  base::erase_repeated(corners);
   if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
   return corners;
 }

@@ -23,8 +23,7 @@ void collect_vertices(const SurfaceMesh& mesh, const SurfaceMesh::TriangleList& 
                       std::vector<Vertex>& vertices) {
   vertices.clear();
   for (Triangle t : triangles) vertices.insert(vertices.end(), mesh.vertices(t).begin(), mesh.vertices(t).end());
-  std::ranges::sort(vertices);
-  base::erase_repeated(vertices);
+  base::sort_unique(vertices);
 }
 
 bool have_common(const std::vector<Vertex>& a, const std::vector<Vertex>& b) {
@@ -188,8 +187,7 @@ void PlaceMerge::carry_out() {
   event.result = result_;
   event.triangles = c_.carry_out(result_);
   touched_.push_back(result_);
-  std::ranges::sort(touched_);
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  base::sort_unique(touched_);
   removed_.clear();
   for (Vertex v : touched_)
     if (c_.mesh.triangles(v).empty()) removed_.push_back(v);

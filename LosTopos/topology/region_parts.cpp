@@ -99,8 +99,7 @@ std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double large
       std::ranges::sort(part.boundary);
       for (Triangle u : boundary)
         part.neighbours.push_back(mesh.labels(u).p == r ? mesh.labels(u).q : mesh.labels(u).p);
-      std::ranges::sort(part.neighbours);
-      base::erase_repeated(part.neighbours);
+      base::sort_unique(part.neighbours);
       parts.push_back(std::move(part));
     }
   }

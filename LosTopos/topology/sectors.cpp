@@ -15,8 +15,7 @@ using RegionPairs = boost::container::small_vector<std::pair<Region, Region>, 8>
 
 template <class List>
 std::size_t count_distinct(List& list) {
-  std::ranges::sort(list);
-  base::erase_repeated(list);
+  base::sort_unique(list);
   return list.size();
 }
 

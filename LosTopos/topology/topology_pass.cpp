@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "Base/timing/stopwatch.h"
 #include "LosTopos/geometry/distance.h"
 #include "LosTopos/mesh/measures.h"
@@ -20,12 +21,6 @@ constexpr double edge_merge_share = 0.5;
 // Where two stars have a vertex in common, only films that lie over each other are snapped, not neighbours in a film:
 // the line between the two places has to be within 37° of both normals.
 constexpr double min_transversality = 0.8;
-
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 bool are_alive(const SurfaceMesh& mesh, const ElementPair& pair) {
   if (pair.kind == ElementPair::Kind::vertex_triangle) {
@@ -52,7 +47,7 @@ std::array<Site, 2> sites_of(const SurfaceMesh& mesh, const NearPair& near) {
 std::vector<Vertex> star_vertices(const SurfaceMesh& mesh, const Site& site) {
   std::vector<Vertex> list;
   for (Triangle t : triangles_at(mesh, site)) list.insert(list.end(), mesh.vertices(t).begin(), mesh.vertices(t).end());
-  sort_unique(list);
+  base::sort_unique(list);
   return list;
 }
 
@@ -84,7 +79,7 @@ std::vector<Region> TopologyPass::regions_at(const Site& a, const Site& b) const
       regions.push_back(c_.mesh.labels(t).p);
       regions.push_back(c_.mesh.labels(t).q);
     }
-  sort_unique(regions);
+  base::sort_unique(regions);
   return regions;
 }
 
@@ -148,7 +143,7 @@ void TopologyPass::snap_near_places() {
       if (!refusal) list_result_star(changed);
     }
     std::erase_if(changed, [this](Triangle t) { return !c_.mesh.alive(t); });
-    sort_unique(changed);
+    base::sort_unique(changed);
     pairs = near_pairs(c_.mesh, c_.index, changed, merge_distance_);
   }
 }
@@ -179,7 +174,7 @@ void TopologyPass::merge_short_edges() {
         if (length(c_.mesh, f) < shortest) next.push_back(f);
     }
     std::erase_if(next, [this](Edge e) { return !c_.mesh.alive(e); });
-    sort_unique(next);
+    base::sort_unique(next);
     list.swap(next);
   }
 }
@@ -195,11 +190,11 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
     c_.options.interruption.check();
     edges.clear();
     for (Triangle t : boundary) edges.insert(edges.end(), c_.mesh.edges(t).begin(), c_.mesh.edges(t).end());
-    sort_unique(edges);
+    base::sort_unique(edges);
     std::ranges::stable_sort(edges, {}, [this](Edge e) { return length(c_.mesh, e); });
     std::vector<Vertex> corners;
     for (Triangle t : boundary) corners.insert(corners.end(), c_.mesh.vertices(t).begin(), c_.mesh.vertices(t).end());
-    sort_unique(corners);
+    base::sort_unique(corners);
     bool merged = false;
     for (Edge e : edges) {
       const auto [a, b] = c_.mesh.vertices(e);
@@ -221,7 +216,7 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
         if (of_part && c_.mesh.labels(t).has(region)) boundary.push_back(t);
       }
     }
-    sort_unique(boundary);
+    base::sort_unique(boundary);
   }
   counts.count(boundary.empty() ? std::optional<Refusal>() : refusal.value_or(Refusal::not_better));
   return boundary.empty();
@@ -265,7 +260,7 @@ void TopologyPass::separate_vertices() {
         for (Edge e : c_.mesh.edges(changed)) next.push_back(c_.mesh.other_vertex(e, changed));
       }
     }
-    sort_unique(next);
+    base::sort_unique(next);
     std::erase_if(next, [this](Vertex v) { return is_complete(c_.mesh, v); });
     list.swap(next);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/geometry/triangle_quality.h"
 #include "LosTopos/mesh/hold.h"
 #include "LosTopos/mesh/measures.h"
@@ -168,8 +169,7 @@ void VertexSeparation::carry_out(Vertex v) {
       regions_.push_back(std::min(t.labels.p, t.labels.q));
       regions_.push_back(std::max(t.labels.p, t.labels.q));
     }
-  std::ranges::sort(regions_);
-  regions_.erase(std::unique(regions_.begin(), regions_.end()), regions_.end());
+  base::sort_unique(regions_);
   SeparationEvent event{v, Vertex(), staying_position_, leaving_position_, {}};
   c_.notify(&OperationObserver::before_separation, event);
   c_.mesh.set_position(v, staying_position_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Base/lists/erase_repeated.h"
 #include "LosTopos/geometry/distance.h"
 #include "LosTopos/geometry/predicates.h"
 #include "LosTopos/mesh/measures.h"
@@ -11,12 +12,6 @@ namespace {
 
 Trajectory at_rest(const Vec3& x) {
   return {x, x};
-}
-
-template <class Handles>
-void sort_unique(Handles& handles) {
-  std::ranges::sort(handles);
-  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
 }
 
 template <class Range>
@@ -96,7 +91,7 @@ bool IntersectionGuard::move_is_free(Vertex v, const StarMotion& motion) {
   least_gap_ = least_gap(motion.box());
   if (!index_.near_moving(v, motion.points()[0].path.end, least_gap_, found_)) return is_free(motion, {moving, Edge()});
   if (found_.empty()) return true;
-  sort_unique(found_);
+  base::sort_unique(found_);
   sift(grown(motion.box(), least_gap_), {moving, Edge()}, [](Triangle, Triangle) { return true; });
   return nothing_is_met(motion);
 }

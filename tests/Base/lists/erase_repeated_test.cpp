@@ -33,5 +33,11 @@ TEST(EraseRepeated, LeavesAnEmptyListEmpty) {
   EXPECT_TRUE(list.empty());
 }
 
+TEST(SortUnique, KeepsOneOfEachInOrder) {
+  std::vector<int> list{3, 1, 2, 3, 1};
+  sort_unique(list);
+  EXPECT_EQ(list, (std::vector<int>{1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace base

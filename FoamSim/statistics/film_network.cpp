@@ -1,6 +1,5 @@
 #include "FoamSim/statistics/film_network.h"
 
-
 #include "Base/lists/disjoint_sets.h"
 #include "Base/lists/erase_repeated.h"
 #include "FoamSim/sheet/surface_geometry.h"

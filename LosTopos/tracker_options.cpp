@@ -1,5 +1,7 @@
 #include "LosTopos/tracker_options.h"
 
+#include <sstream>
+
 #include "LosTopos/memory_limit.h"
 
 namespace lostopos {
@@ -53,6 +55,8 @@ std::vector<base::OptionSpec> topology_specs(const TopologyOptions& d) {
       base::flag("topology.separate", d.separate, "T1: part regions that meet without a common film"),
       base::flag("topology.collapse_regions", d.collapse_regions, "let regions that are too small vanish"),
       base::positive_number("topology.merge_distance", d.merge_distance, "nearer surfaces are joined, in resolutions"),
+      base::non_negative_number("topology.merge_edge", d.merge_edge,
+                                "shorter edges are merged, in resolutions; 0: half the merge distance"),
       base::positive_number("topology.pull_apart", d.pull_apart, "distance that a separation opens, in resolutions"),
       base::positive_number("topology.smallest_region", d.smallest_region,
                             "a region that fits into a box with this diagonal vanishes, in resolutions"),
@@ -62,6 +66,16 @@ std::vector<base::OptionSpec> topology_specs(const TopologyOptions& d) {
       base::positive_number("topology.longest_motion", d.longest_motion,
                             "a longer motion is done in parts with topology between them, in resolutions"),
   };
+}
+
+// Or else what a separation opens would be merged again at once.
+void require_room_to_part(const TopologyOptions& topology) {
+  if (topology.merge_edge < topology.pull_apart || topology.merge_edge == 0) return;
+  std::ostringstream message;
+  message << "topology.merge_edge = " << topology.merge_edge
+          << " would merge what separations open (topology.pull_apart = " << topology.pull_apart
+          << "); give a smaller merge_edge, or a larger pull_apart";
+  throw base::InputError(message.str());
 }
 
 }  // namespace
@@ -102,7 +116,9 @@ TrackerOptions tracker_options(const base::OptionSet& options, double bytes_of_t
   topology.separate = options.flag("topology.separate");
   topology.collapse_regions = options.flag("topology.collapse_regions");
   topology.merge_distance = options.number("topology.merge_distance");
+  topology.merge_edge = options.number("topology.merge_edge");
   topology.pull_apart = options.number("topology.pull_apart");
+  require_room_to_part(topology);
   topology.smallest_region = options.number("topology.smallest_region");
   topology.separation = options.word("topology.separation") == by_area ? SeparationRule::area : SeparationRule::flow;
   topology.max_sweeps = static_cast<int>(options.whole("topology.max_sweeps"));

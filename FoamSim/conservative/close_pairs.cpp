@@ -52,29 +52,37 @@ class Cubes {
 
   std::size_t count() const { return first_.size() - 1; }
 
-  // The points in cube c, in order.
-  std::span<const std::uint32_t> points(std::size_t c) const {
-    return std::span(points_).subspan(first_[c], first_[c + 1] - first_[c]);
+  // How many are close to each of the points in cube c; `count` is by point.
+  void count_close(std::size_t c, std::span<std::uint32_t> count) const {
+    const auto around = ranges_around(places_[first_[c]].cube);
+    for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
+      std::uint32_t found = 0;
+      for (const auto& [begin, end] : around)
+        for (std::size_t j = begin; j < end; ++j) found += is_close(i, j) ? 1 : 0;
+      count[points_[i]] = found;
+    }
   }
 
-  // Lists of what is close to the points in cube c, one behind the other, and their ends.
-  void list_close(std::size_t c, std::vector<std::uint32_t>& close, std::vector<std::size_t>& ends) const {
+  // Lists them, each point's from its first place on.
+  void list_close(std::size_t c, std::span<const std::uint32_t> first, std::span<std::uint32_t> list) const {
     const auto around = ranges_around(places_[first_[c]].cube);
-    std::size_t candidates = 0, found = 0;
-    for (const auto& [begin, end] : around) candidates += end - begin;
+    std::vector<std::uint32_t> close;
     for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
-      close.resize(found + candidates);
-      for (const auto& [begin, end] : around)
+      std::size_t found = 0;
+      for (const auto& [begin, end] : around) {
+        close.resize(std::max(close.size(), found + end - begin));
         for (std::size_t j = begin; j < end; ++j) {  // no branch: one in three is close, in no order
           close[found] = points_[j];
-          found += (x_[j] - x_[i]).squaredNorm() <= square_ ? 1 : 0;
+          found += is_close(i, j) ? 1 : 0;
         }
-      ends.push_back(found);
+      }
+      std::copy_n(close.begin(), found, list.begin() + first[points_[i]]);
     }
-    close.resize(found);
   }
 
  private:
+  bool is_close(std::size_t i, std::size_t j) const { return (x_[j] - x_[i]).squaredNorm() <= square_; }
+
   // The three cubes along z follow each other.
   std::array<std::pair<std::size_t, std::size_t>, 9> ranges_around(const Cube& cube) const {
     std::array<std::pair<std::size_t, std::size_t>, 9> ranges;
@@ -106,23 +114,15 @@ ClosePairs close_pairs(std::span<const Vec3> points, double distance, std::size_
   if (points.empty()) return pairs;
   for (int halvings = 0; halvings <= most_halvings; ++halvings, distance /= 2) {
     const Cubes cubes(points, distance);
-    std::vector<std::vector<std::uint32_t>> close(cubes.count());
-    std::vector<std::vector<std::size_t>> ends(cubes.count());
-    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) { cubes.list_close(c, close[c], ends[c]); });
-    std::size_t total = 0;
-    for (const auto& list : close) total += list.size();
+    // Counted first, so that nothing is kept twice.
+    const std::span<std::uint32_t> count = std::span(pairs.first).subspan(1);
+    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) { cubes.count_close(c, count); });
+    const std::size_t total = std::accumulate(count.begin(), count.end(), std::size_t{0});
     if (total > most * points.size() && halvings < most_halvings) continue;
-    for (std::size_t c = 0; c < cubes.count(); ++c)
-      for (std::size_t i = 0, begin = 0; i < ends[c].size(); begin = ends[c][i++])
-        pairs.first[cubes.points(c)[i] + 1] = static_cast<std::uint32_t>(ends[c][i] - begin);
     std::partial_sum(pairs.first.begin(), pairs.first.end(), pairs.first.begin());
     pairs.other.resize(total);
-    base::parallel_for_each(cubes.count(), grain, [&](std::size_t c) {
-      for (std::size_t i = 0, begin = 0; i < ends[c].size(); begin = ends[c][i++])
-        std::copy(close[c].begin() + static_cast<std::ptrdiff_t>(begin),
-                  close[c].begin() + static_cast<std::ptrdiff_t>(ends[c][i]),
-                  pairs.other.begin() + pairs.first[cubes.points(c)[i]]);
-    });
+    base::parallel_for_each(cubes.count(), grain,
+                            [&](std::size_t c) { cubes.list_close(c, pairs.first, pairs.other); });
     break;
   }
   return pairs;

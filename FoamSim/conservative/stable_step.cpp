@@ -8,6 +8,7 @@
 
 #include "Base/parallel/for_each.h"
 #include "FoamSim/conservative/vertex_vectors.h"
+#include "FoamSim/linear/dense_solve.h"
 
 namespace foamsim {
 
@@ -16,6 +17,8 @@ using lostopos::Vec3;
 namespace {
 
 using Vectors = std::vector<Vec3>;
+
+constexpr double negligible = 1e-12;
 
 // Numbers in [-1, 1) that are the same everywhere and have no pattern.
 double scattered(std::size_t i) {
@@ -46,26 +49,47 @@ void restoring_force(const FilmConnectivity& films, const FilmShape& shape, std:
   });
 }
 
+void scale(Vectors& x, double by) {
+  for (Vec3& value : x) value *= by;
+}
+
+// The largest eigenvalue of S H from below, by Lanczos' method: in the product y·H z of two vectors S H is symmetric,
+// and on what a few rounds have reached it is a tridiagonal matrix.
+double fastest_square(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
+                      double tension, LocalResponse& response) {
+  constexpr std::size_t rounds = 6;
+  Vectors y(films.vertex_slots()), before(y.size(), Vec3::Zero()), tilt, force, next;
+  for (std::size_t v = 0; v < y.size(); ++v) y[v] = Vec3(scattered(3 * v), scattered(3 * v + 1), scattered(3 * v + 2));
+  restoring_force(films, shape, positions, tension, y, tilt, force);
+  double square = 0, size = std::sqrt(dot(y, force)), beside = 0;
+  std::vector<double> diagonals, besides;
+  while (size > 0 && std::isfinite(1 / size)) {
+    scale(y, 1 / size);
+    scale(force, 1 / size);
+    response.evaluate(force, next);
+    const double diagonal = dot(force, next);
+    if (!std::isfinite(diagonal)) break;
+    diagonals.push_back(diagonal);
+    square = largest_eigenvalue(diagonals, besides);
+    if (diagonals.size() == rounds) break;
+    for (std::size_t v = 0; v < y.size(); ++v) next[v] -= diagonal * y[v] + beside * before[v];
+    before.swap(y);
+    y.swap(next);
+    restoring_force(films, shape, positions, tension, y, tilt, force);
+    size = beside = std::sqrt(std::max(0.0, dot(y, force)));
+    if (!(beside > negligible * square)) break;  // nothing else is reached
+    besides.push_back(beside);
+  }
+  return square;
+}
+
 }  // namespace
 
 double stable_step(const FilmConnectivity& films, const FilmShape& shape, std::span<const Vec3> positions,
                    double tension, LocalResponse& response) {
-  constexpr int rounds = 8;
-  constexpr double from_below = 1.25;
+  constexpr double from_below = 1.2;
   if (!(tension > 0) || films.corners.empty()) return std::numeric_limits<double>::infinity();
-  Vectors y(films.vertex_slots()), tilt, force, moved;
-  for (std::size_t v = 0; v < y.size(); ++v) y[v] = Vec3(scattered(3 * v), scattered(3 * v + 1), scattered(3 * v + 2));
-  double square = 0;
-  for (int round = 0; round < rounds; ++round) {
-    restoring_force(films, shape, positions, tension, y, tilt, force);
-    const double size = dot(y, force);
-    if (!(size > 0) || !std::isfinite(size)) break;
-    response.evaluate(force, moved);
-    square = std::max(square, dot(force, moved) / size);
-    const double scale = 1 / std::sqrt(dot(moved, moved));
-    if (!std::isfinite(scale)) break;
-    for (std::size_t v = 0; v < y.size(); ++v) y[v] = scale * moved[v];
-  }
+  const double square = fastest_square(films, shape, positions, tension, response);
   return square > 0 ? 2 / (from_below * std::sqrt(square)) : std::numeric_limits<double>::infinity();
 }
 

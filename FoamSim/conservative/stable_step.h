@@ -10,8 +10,8 @@ namespace foamsim {
 /// second derivative of `tension` (energy of a film over density and area, L³/T²) times area, S the air's response.
 /// Infinite where nothing is stiff.
 ///
-/// ω² is the largest eigenvalue of S H, by eight rounds of power iteration from a pattern without symmetry; as those
-/// and the local response come from below, a quarter is added to ω.
+/// ω² is the largest eigenvalue of S H, by six rounds of Lanczos' method from a pattern without symmetry; as those and
+/// the local response come from below, a fifth is added to ω.
 double stable_step(const FilmConnectivity& films, const FilmShape& shape, std::span<const lostopos::Vec3> positions,
                    double tension, LocalResponse& response);
 

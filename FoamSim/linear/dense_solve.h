@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 namespace foamsim {
 
@@ -17,5 +18,9 @@ Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& a, const Eigen::VectorXd&
 /// The orthogonal projection onto what A x can be (m × m); nothing where that is all there is, A's rank being m.
 /// a: m × n.
 std::optional<Eigen::MatrixXd> projection_onto_range(const Eigen::MatrixXd& a);
+
+/// The largest eigenvalue of the symmetric tridiagonal matrix with this diagonal (n > 0 values) and these n − 1 values
+/// beside it.
+double largest_eigenvalue(std::span<const double> diagonal, std::span<const double> beside);
 
 }  // namespace foamsim

@@ -107,6 +107,11 @@ base::OptionSet options_in_use(const base::OptionSet& options) {
     fill_in("remeshing.smooth_below", 45.0);
     fill_in("remeshing.longest_edge", 1.35);
   }
+  if (options.word("dynamics") == "conservative") {
+    // Films that vanish become slivers first, which ask for the shorter steps the shorter their edges are.
+    fill_in("topology.pull_apart", 0.2);
+    fill_in("topology.merge_edge", std::min(0.1, used.number("topology.pull_apart") / 2));
+  }
   return used;
 }
 

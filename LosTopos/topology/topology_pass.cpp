@@ -16,7 +16,8 @@ constexpr double snap_reach = 0.25;
 // No vertex is put nearer than this share of h̄ to those of the edge or triangle that it divides: or else small
 // triangles would be near each other, be divided again, and so on without end.
 constexpr double smallest_division = 0.15;
-// Edges shorter than this share of the merge distance are merged. It leaves the edges alone that separations open.
+// Edges shorter than this share of the merge distance are merged unless the options say otherwise. It leaves the edges
+// alone that separations open.
 constexpr double edge_merge_share = 0.5;
 // Where two stars have a vertex in common, only films that lie over each other are snapped, not neighbours in a film:
 // the line between the two places has to be within 37° of both normals.
@@ -151,7 +152,8 @@ void TopologyPass::snap_near_places() {
 void TopologyPass::merge_short_edges() {
   OperationCounts& counts = statistics_[TopologyOperation::edge_merge];
   const base::TimedScope timed(counts.seconds);
-  const double shortest = edge_merge_share * merge_distance_;
+  const double shortest =
+      options_.merge_edge > 0 ? options_.merge_edge * c_.options.target_edge : edge_merge_share * merge_distance_;
   const PlaceMerge::Rules rules{.joined_vertices = true};
   std::vector<Edge> list;
   for (Edge e : c_.mesh.edges())

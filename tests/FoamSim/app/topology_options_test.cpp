@@ -188,8 +188,8 @@ TEST(TopologyOptionsOfScenes, EachOneHasItsEffect) {
   const std::map<std::string, std::string> changed{
       {"topology.enabled", "false"},      {"topology.snap", "false"},         {"topology.separate", "false"},
       {"topology.merge_distance", "0.2"}, {"topology.pull_apart", "0.05"},    {"topology.longest_motion", "0.05"},
-      {"topology.max_sweeps", "1"},       {"topology.smallest_region", "12"}, {"topology.separation", "flow"},
-      {"topology.collapse_regions", "-"},  // below
+      {"topology.merge_edge", "0.09"},    {"topology.max_sweeps", "1"},       {"topology.smallest_region", "12"},
+      {"topology.separation", "flow"},    {"topology.collapse_regions", "-"},  // below
   };
   std::map<std::string, Outcome> outcomes;
   for (const base::OptionSpec& spec : common_option_specs(*built_in_catalogue())) {
@@ -211,6 +211,26 @@ TEST(TopologyOptionsOfScenes, EachOneHasItsEffect) {
   EXPECT_GE(collapsed.count("region_collapses"), 5 - collapsed.count("regions"));
   const Outcome kept = outcome_of("topology.smallest_region=12 --set topology.collapse_regions=false");
   EXPECT_EQ(kept.count("regions"), 5);
+}
+
+// A separation has to open more than what is merged.
+TEST(TopologyOptionsOfScenes, MergeEdgeLeavesRoomToPart) {
+  const ScratchFolder scratch;
+  const ProgramResult refused =
+      run_foamsim("run doublebubble --set topology.merge_edge=0.1 --steps 1 --out " + (scratch / "run"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.error.find("topology.merge_edge = 0.1"), std::string::npos) << refused.error;
+  EXPECT_FALSE(fs::exists(scratch / "run"));
+  // Conservative dynamics bring both along, the one in proportion to the other.
+  const std::string conservative = "doublebubble --set n=8 --set dynamics=conservative --steps 1";
+  const auto merge_edge = [&](const std::string& more) {
+    const ScratchFolder own;
+    run(conservative + more, own / "run");
+    return nlohmann::json::parse(read_file(own / "run/run.json"))["options"]["topology.merge_edge"].get<double>();
+  };
+  EXPECT_EQ(merge_edge(""), 0.1);
+  EXPECT_EQ(merge_edge(" --set topology.pull_apart=0.1"), 0.05);
+  EXPECT_EQ(merge_edge(" --set topology.pull_apart=0.4"), 0.1);
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST(StableStep, IsThatOfTheFastestMotionThereIs) {
     square = std::sqrt(size);
   }
   EXPECT_LT(step, 2 / std::sqrt(square));
-  EXPECT_GT(step, 1 / std::sqrt(square));
+  EXPECT_GT(step, 1.3 / std::sqrt(square));
 }
 
 TEST(StableStep, ResolvesHowEdgesChange) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "Base/error.h"
@@ -211,6 +212,33 @@ TEST(Conservative, TellsWhatRemeshingPutsIntoTheAirAndStaysAsItIs) {
   const auto [same, silent] = run(false);
   EXPECT_FALSE(silent.back().remesh_air_energy);
   EXPECT_TRUE(lostopos::test::same_bits(same->state().tracker, simulation->state().tracker));
+}
+
+// A film that vanishes is drawn out to slivers, whose short edges would ask for steps in many parts.
+TEST(Conservative, MakesStepsInFewPartsWhileFilmsVanish) {
+  constexpr long steps = 50;
+  const auto parts_with = [](std::initializer_list<const char*> assignments) {
+    Scene scene = built_in_scene("foam");
+    for (const char* each : {"bubbles=15", "resolution=0.3", "seed=4", "relax=3", "dynamics=conservative", "dt=0.015"})
+      scene.options.set_assignment(each, "test");
+    for (const char* each : assignments) scene.options.set_assignment(each, "test");
+    Simulation simulation = make_simulation(scene);
+    long parts = 0, merges = 0;
+    double first = 0, highest = 0;
+    for (long i = 0; i < steps; ++i) {
+      const StepReport report = simulation.step();
+      parts += report.substeps;
+      merges += static_cast<long>(report.topology[lostopos::TopologyOperation::edge_merge].done);
+      if (i == 0) first = energy(report);
+      highest = std::max(highest, energy(report));
+      EXPECT_TRUE(lostopos::audit(simulation.mesh()).clean()) << i;
+    }
+    EXPECT_GT(merges, 0);
+    EXPECT_LT(highest, (1 + 1e-3) * first);
+    return parts;
+  };
+  EXPECT_LE(parts_with({}), steps + 3);
+  EXPECT_GT(parts_with({"topology.pull_apart=0.1", "topology.merge_edge=0.05"}), steps + 6);
 }
 
 TEST(Conservative, GoesOnFromASavedStateToTheBit) {

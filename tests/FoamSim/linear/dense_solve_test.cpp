@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace foamsim {
 namespace {
@@ -50,6 +52,15 @@ TEST(DenseSolve, ProjectionLeavesWhatClosesAndIsOne) {
   EXPECT_LT((*projection * Eigen::Vector3d(1, 2, 5) - Eigen::Vector3d(1 + 2. / 3, 2 + 2. / 3, 5 - 2. / 3)).norm(),
             1e-13);
   EXPECT_FALSE(projection_onto_range(Eigen::MatrixXd::Identity(2, 2)));
+}
+
+// Second differences of n values: 2 − 2 cos(π n/(n + 1)).
+TEST(DenseSolve, LargestEigenvalueOfSecondDifferences) {
+  for (const std::size_t n : {1U, 2U, 7U}) {
+    const std::vector<double> diagonal(n, 2), beside(n - 1, -1);
+    const double exact = 2 - 2 * std::cos(std::numbers::pi * static_cast<double>(n) / static_cast<double>(n + 1));
+    EXPECT_NEAR(largest_eigenvalue(diagonal, beside), exact, 1e-14);
+  }
 }
 
 }  // namespace

@@ -152,6 +152,31 @@ TEST(Topology, ACellOfAFoamVanishes) {
   EXPECT_EQ(test::film_area(tracker.mesh(), cell, cell), 0);
 }
 
+// A cell squeezed along one axis has edges that are short, but not within half the merge distance.
+TEST(Topology, EdgesShorterThanMergeEdgeAreMerged) {
+  for (const double merge_edge : {0.0, 0.2}) {
+    SurfaceMesh mesh = voronoi_foam({.cells = 12, .seed = 3, .subdivisions = 1});
+    const double resolution = mean_edge_length(mesh);
+    const auto edges = mesh.edges();
+    const Edge shortest = *std::ranges::min_element(edges, {}, [&](Edge e) { return length(mesh, e); });
+    const auto [a, b] = mesh.vertices(shortest);
+    mesh.set_position(a, mesh.position(b) + 0.1 * resolution * (mesh.position(a) - mesh.position(b)).normalized());
+    TrackerOptions options;
+    options.resolution = resolution;
+    options.remeshing = false;
+    options.topology.enabled = true;
+    options.topology.pull_apart = 0.3;
+    options.topology.merge_edge = merge_edge;
+    SurfaceTracker tracker(std::move(mesh), options);
+    const TopologyStatistics sum = run(tracker, 1, [](const Vec3&) { return Vec3(Vec3::Zero()); });
+    EXPECT_EQ(sum[TopologyOperation::edge_merge].done > 0, merge_edge > 0);
+    double least = resolution;
+    for (Edge e : tracker.mesh().edges()) least = std::min(least, length(tracker.mesh(), e) / resolution);
+    EXPECT_EQ(least < 0.1 + 1e-9, merge_edge == 0) << least;
+    EXPECT_EQ(regions(tracker.mesh()).size(), 13u);
+  }
+}
+
 TEST(Topology, TheResultDoesNotDependOnLabelsBeingLarge) {
   SurfaceTracker small = tracker_of(test::two_spheres(2, 0.2, Region(1), Region(2)), SeparationRule::flow);
   SurfaceTracker large = tracker_of(test::two_spheres(2, 0.2, Region(5001), Region(5002)), SeparationRule::flow);

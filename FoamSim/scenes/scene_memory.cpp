@@ -17,7 +17,7 @@ lostopos::SizeEstimate size_of(const base::OptionSet& options, double triangles)
 // Measured with foams of Voronoi cells from 100 to 5,000 bubbles (docs/scale.md): the tracker's, and the tree of the
 // sums; or the systems of the conservative dynamics.
 double bytes_of_triangle(const base::OptionSet& options) {
-  return options.word("dynamics") == "conservative" ? 4200 : lostopos::default_bytes_of_triangle;
+  return options.word("dynamics") == "conservative" ? 6200 : lostopos::default_bytes_of_triangle;
 }
 
 std::optional<lostopos::SizeEstimate> estimated_size(const Scene& scene) {

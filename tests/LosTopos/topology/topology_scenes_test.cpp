@@ -152,7 +152,7 @@ TEST(Topology, ACellOfAFoamVanishes) {
   EXPECT_EQ(test::film_area(tracker.mesh(), cell, cell), 0);
 }
 
-// A cell squeezed along one axis has edges that are short, but not within half the merge distance.
+// A foam with one edge of a tenth of the resolution, which is not below half the merge distance.
 TEST(Topology, EdgesShorterThanMergeEdgeAreMerged) {
   for (const double merge_edge : {0.0, 0.2}) {
     SurfaceMesh mesh = voronoi_foam({.cells = 12, .seed = 3, .subdivisions = 1});

@@ -65,9 +65,6 @@ struct BroadPhase::Grid {
     std::uint32_t entry = none;                                    ///< none: in the cell's list
     std::int32_t level = 0;
   };
-  struct Entry : RoundedBox {
-    std::uint32_t slot = none;
-  };
   // Of a bucket; its entries end where the next one's begin.
   struct Cell {
     std::uint32_t first_entry = 0;
@@ -81,8 +78,8 @@ struct BroadPhase::Grid {
   };
 
   std::vector<Slot> slots;
-  std::vector<Entry> entries;  ///< by bucket
-  std::vector<Cell> cells{1};  ///< of each bucket, and one more, the end of the last
+  std::vector<RoundedBox> entries;  ///< by bucket, with the number of their slot
+  std::vector<Cell> cells{1};       ///< of each bucket, and one more, the end of the last
   std::size_t listed = 0;
   std::array<Level, level_count> levels;
   double base_extent = 0;  ///< the largest box of the base level
@@ -176,8 +173,7 @@ struct BroadPhase::Grid {
       Slot& slot = slots[i];
       if (slot.bucket == none) continue;
       slot.entry = --cells[slot.bucket + 1].first_entry;
-      entries[slot.entry].enclose(slot.box);
-      entries[slot.entry].slot = i;
+      entries[slot.entry] = RoundedBox(slot.box, i);
     }
     // Each bucket's first entry stands in the place of the next one's now.
     for (std::size_t i = 0; i + 1 < cells.size(); ++i) cells[i].first_entry = cells[i + 1].first_entry;
@@ -213,9 +209,10 @@ struct BroadPhase::Grid {
 
   void append_bucket(std::size_t bucket, const BoxQuery& query, std::vector<Triangle>& found) const {
     for (std::uint32_t i = cells[bucket].first_entry; i < cells[bucket + 1].first_entry; ++i) {
-      const Entry& entry = entries[i];
+      const RoundedBox& entry = entries[i];
       if (!query.may_meet(entry)) continue;
-      if (query.surely_meets(entry) || overlap(slots[entry.slot].box, query.box())) found.emplace_back(entry.slot);
+      if (query.surely_meets(entry) || overlap(slots[entry.number()].box, query.box()))
+        found.emplace_back(entry.number());
     }
     for (std::uint32_t i = cells[bucket].listed; i != none; i = slots[i].next) {
       if (overlap(slots[i].box, query.box())) found.emplace_back(i);
@@ -321,7 +318,7 @@ const Box& BroadPhase::box(Triangle t) const {
 }
 
 std::size_t BroadPhase::memory_bytes() const {
-  return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) + grid_->entries.capacity() * sizeof(Grid::Entry) +
+  return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) + grid_->entries.capacity() * sizeof(RoundedBox) +
          grid_->cells.capacity() * sizeof(Grid::Cell);
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
 
-#include "LosTopos/collision/box_overlap.h"
 #include "LosTopos/collision/broad_phase.h"
 
 namespace lostopos {
@@ -20,50 +23,72 @@ inline float rounded_up(double x) {
   return -rounded_down(-x);
 }
 
-/// A box in single precision, rounded outwards (L).
-struct RoundedBox {
-  std::array<float, 3> low, high;
+/// Four numbers that are compared at once (GCC's and clang's vector type).
+using Float4 = float __attribute__((vector_size(16)));
 
+/// A box in single precision, rounded outwards (L), and the number of what it encloses.
+class RoundedBox {
+ public:
+  RoundedBox() { clear(); }
+  RoundedBox(const Box& box, std::uint32_t number) {
+    enclose(box);
+    low_[3] = std::bit_cast<float>(number);
+  }
   void enclose(const Box& box) {
     for (int i = 0; i < 3; ++i) {
-      low[static_cast<std::size_t>(i)] = rounded_down(box.low[i]);
-      high[static_cast<std::size_t>(i)] = rounded_up(box.high[i]);
+      low_[i] = rounded_down(box.low[i]);
+      minus_high_[i] = rounded_down(-box.high[i]);
     }
   }
   /// Nothing overlaps it from now on.
   void clear() {
-    low.fill(std::numeric_limits<float>::infinity());
-    high.fill(-std::numeric_limits<float>::infinity());
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    low_ = minus_high_ = Float4{infinity, infinity, infinity, 0};
   }
+  std::uint32_t number() const { return std::bit_cast<std::uint32_t>(low_[3]); }
+
+ private:
+  friend class BoxQuery;
+  // With the high corner's signs changed a box overlaps another where none of these is above what the other allows. The
+  // fourth of each is not compared.
+  Float4 low_, minus_high_;
 };
 
 /// A box to be compared with many rounded ones: most of them say themselves whether what they stand for overlaps it.
 class BoxQuery {
  public:
   explicit BoxQuery(const Box& box) : box_(box) {
-    outer_.enclose(box);
     for (int i = 0; i < 3; ++i) {
-      inner_low_[static_cast<std::size_t>(i)] = rounded_up(box.low[i]);
-      inner_high_[static_cast<std::size_t>(i)] = rounded_down(box.high[i]);
+      most_low_[i] = rounded_up(box.high[i]);
+      most_minus_high_[i] = rounded_up(-box.low[i]);
+      sure_low_[i] = rounded_down(box.high[i]);
+      sure_minus_high_[i] = rounded_down(-box.low[i]);
     }
   }
   const Box& box() const { return box_; }
   /// False only where the box that was rounded does not overlap.
-  bool may_meet(const RoundedBox& rounded) const { return overlap(rounded, outer_); }
+  bool may_meet(const RoundedBox& rounded) const {
+    return first_three((rounded.low_ <= most_low_) & (rounded.minus_high_ <= most_minus_high_));
+  }
   /// True only where it does: its sides are less than one number of single precision within the rounded ones.
   bool surely_meets(const RoundedBox& rounded) const {
-    int all = 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      all &= static_cast<int>(rounded.high[i] > inner_low_[i]);
-      all &= static_cast<int>(rounded.low[i] < inner_high_[i]);
-    }
-    return all != 0;
+    return first_three((rounded.low_ < sure_low_) & (rounded.minus_high_ < sure_minus_high_));
   }
 
  private:
+  using Mask = decltype(Float4{} <= Float4{});
+
+  static bool first_three(const Mask& mask) {
+#ifdef __SSE__
+    return (_mm_movemask_ps(std::bit_cast<__m128>(mask)) & 7) == 7;
+#else
+    return (mask[0] & mask[1] & mask[2]) != 0;
+#endif
+  }
+
   Box box_;
-  RoundedBox outer_;
-  std::array<float, 3> inner_low_, inner_high_;  // rounded inwards
+  Float4 most_low_{}, most_minus_high_{};  // of boxes that may meet
+  Float4 sure_low_{}, sure_minus_high_{};  // above those of boxes that surely do
 };
 
 }  // namespace lostopos

@@ -21,7 +21,7 @@ void require_known_words(const OptionSpec& spec, const OptionValue& value, std::
     throw InputError(prefix(where) + unknown_name_message(spec.words_are, word, known));
   };
   if (const auto* word = std::get_if<std::string>(&value)) require(*word);
-  if (const auto* list = std::get_if<std::vector<std::string>>(&value)) std::ranges::for_each(*list, require);
+  if (const auto* list = std::get_if<Words>(&value)) std::ranges::for_each(*list, require);
 }
 
 void require_allowed(const OptionSpec& spec, const OptionValue& value, std::string_view where) {
@@ -104,13 +104,13 @@ void OptionSet::set(std::string_view key, const OptionValue& value, std::string_
 
 void OptionSet::append(std::string_view key, std::string_view words, std::string_view where) {
   const std::size_t place = place_of(key, where);
-  const auto* held = std::get_if<std::vector<std::string>>(&entries_[place].value);
+  const auto* held = std::get_if<Words>(&entries_[place].value);
   if (held == nullptr)
     throw InputError(prefix(where) + std::string(key) + " holds " + std::string(kind_of(entries_[place].value)) +
                      "; += is for lists");
   std::vector<std::string> all = *held;
   const OptionValue added = parse_option(words, specs_[place].default_value);
-  for (const std::string& word : std::get<std::vector<std::string>>(added))
+  for (const std::string& word : std::get<Words>(added))
     if (std::ranges::find(all, word) == all.end()) all.push_back(word);
   set(key, all, where);
 }

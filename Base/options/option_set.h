@@ -35,9 +35,7 @@ class OptionSet {
   long whole(std::string_view key) const { return std::get<long>(value(key)); }
   bool flag(std::string_view key) const { return std::get<bool>(value(key)); }
   const std::string& word(std::string_view key) const { return std::get<std::string>(value(key)); }
-  const std::vector<std::string>& words(std::string_view key) const {
-    return std::get<std::vector<std::string>>(value(key));
-  }
+  const std::vector<std::string>& words(std::string_view key) const { return std::get<Words>(value(key)); }
   const OptionValue& value(std::string_view key) const;
   bool is_set(std::string_view key) const;
   bool has(std::string_view key) const;

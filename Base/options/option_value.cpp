@@ -59,7 +59,7 @@ std::string to_text(const OptionValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   std::string text;
-  for (const std::string& word : std::get<std::vector<std::string>>(value)) text += (text.empty() ? "" : ",") + word;
+  for (const std::string& word : std::get<Words>(value)) text += (text.empty() ? "" : ",") + word;
   return text;
 }
 
@@ -80,7 +80,7 @@ OptionValue convert_option(const OptionValue& value, const OptionValue& like) {
   if (value.index() == like.index()) return value;
   if (std::holds_alternative<double>(like) && std::holds_alternative<long>(value))
     return static_cast<double>(std::get<long>(value));
-  if (std::holds_alternative<std::vector<std::string>>(like) && std::holds_alternative<std::string>(value))
+  if (std::holds_alternative<Words>(like) && std::holds_alternative<std::string>(value))
     return parse_list(std::get<std::string>(value));
   throw_mismatch(to_text(value), like);
 }

@@ -2,13 +2,21 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace base {
 
+/// A list of words. A type of its own, since a std::variant of library types only destroys what it has not made yet
+/// when memory ends while it is copied (libstdc++ of GCC 12: such variants are never looked on as without value).
+struct Words : std::vector<std::string> {
+  using std::vector<std::string>::vector;
+  Words(std::vector<std::string> words) : vector(std::move(words)) {}  // NOLINT(google-explicit-constructor)
+};
+
 /// What an option can hold: a flag, a whole number, a number, a word, or a list of words.
-using OptionValue = std::variant<bool, long, double, std::string, std::vector<std::string>>;
+using OptionValue = std::variant<bool, long, double, std::string, Words>;
 
 /// "a whole number", "true or false", … : the kind of `value` for messages.
 std::string_view kind_of(const OptionValue& value);

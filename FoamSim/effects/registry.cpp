@@ -33,7 +33,7 @@ Made make_surface_tension(const EffectSetup& setup) {
 
 // Lists of numbers are given as words.
 bool are_numbers(const base::OptionValue& value) {
-  const auto& words = std::get<std::vector<std::string>>(value);
+  const auto& words = std::get<base::Words>(value);
   return std::ranges::all_of(words, [](const std::string& word) {
     double number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -42,7 +42,7 @@ bool are_numbers(const base::OptionValue& value) {
 }
 
 bool are_whole_numbers(const base::OptionValue& value) {
-  const auto& words = std::get<std::vector<std::string>>(value);
+  const auto& words = std::get<base::Words>(value);
   return are_numbers(value) && std::ranges::all_of(words, [](const std::string& word) {
            return word.size() <= 9 && word.find_first_not_of("0123456789") == std::string::npos;
          });

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "Base/json/binary_json.h"
 #include "Base/json/checked_json.h"
 
 namespace lostopos {
@@ -17,7 +18,7 @@ json blob(const std::vector<T>& values) {
   static_assert(std::is_trivially_copyable_v<T>);
   std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
   if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return json::binary(std::move(bytes));
+  return base::binary_json(std::move(bytes));
 }
 
 template <class T>
@@ -81,7 +82,8 @@ SlotPool pool_from(const CheckedJson& value) {
 json attributes_json(const std::vector<StoredAttribute>& attributes) {
   json by_name = json::object();
   for (const auto& [name, values] : attributes)
-    by_name[name] = {{"type", values->type()}, {"count", values->size()}, {"bytes", json::binary(values->encoded())}};
+    by_name[name] = {
+        {"type", values->type()}, {"count", values->size()}, {"bytes", base::binary_json(values->encoded())}};
   return by_name;
 }
 

@@ -37,6 +37,14 @@ base::OptionValue number_of(const std::string& key, const py::handle& value) {
   return number;
 }
 
+template <class T>
+py::object to_python(const T& value) {
+  return py::cast(value);
+}
+py::object to_python(const base::Words& words) {
+  return py::cast(static_cast<const std::vector<std::string>&>(words));
+}
+
 }  // namespace
 
 void set_option(base::OptionSet& options, const std::string& key, const py::handle& value) {
@@ -52,7 +60,7 @@ void set_option(base::OptionSet& options, const std::string& key, const py::hand
 
 py::object option_of(const base::OptionSet& options, const std::string& key) {
   if (!options.has(key)) throw base::InputError(std::string(where) + ": there is no option '" + key + "'");
-  return std::visit([](const auto& value) { return py::cast(value); }, options.value(key));
+  return std::visit([](const auto& value) { return to_python(value); }, options.value(key));
 }
 
 py::dict options_dict(const base::OptionSet& options) {

@@ -124,7 +124,7 @@ void print(Shape shape, bool adversarial, const CheckResult& r) {
 }
 
 // Queries that share a generator.
-constexpr long part = 1L << 15U;
+constexpr long queries_of_a_part = 1L << 15U;
 
 CheckResult check_part(Shape shape, bool adversarial, long count, std::uint64_t seed) {
   QueryGenerator generator(seed);
@@ -156,12 +156,14 @@ void add(const CheckResult& some, CheckResult& all) {
 
 }  // namespace
 
-CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed) {
-  std::vector<CheckResult> parts(static_cast<std::size_t>((count + part - 1) / part));
+CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed, long from) {
+  const long first = from / queries_of_a_part;
+  std::vector<CheckResult> parts(static_cast<std::size_t>((count + queries_of_a_part - 1) / queries_of_a_part));
   base::parallel_for_each(parts.size(), 1, [&](std::size_t i) {
     constexpr std::uint64_t apart = 1000;  // seeds of sets are smaller
-    const long queries = std::min(part, count - static_cast<long>(i) * part);
-    parts[i] = check_part(shape, adversarial, queries, seed + apart * i);
+    const long place = static_cast<long>(i);
+    const long queries = std::min(queries_of_a_part, count - place * queries_of_a_part);
+    parts[i] = check_part(shape, adversarial, queries, seed + apart * static_cast<std::uint64_t>(first + place));
   });
   CheckResult result;
   for (const CheckResult& some : parts) add(some, result);

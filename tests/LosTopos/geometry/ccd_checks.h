@@ -23,7 +23,7 @@ struct CheckResult {
 };
 
 /// Runs `count` queries of one set through the library and the oracle, on all threads: the same queries for any number
-/// of them. Prints the counts.
-CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed);
+/// of them. Prints the counts. `from`: so many of the set come before the first, to whole parts of 32,768.
+CheckResult check_against_oracle(Shape shape, bool adversarial, long count, std::uint64_t seed, long from = 0);
 
 }  // namespace lostopos::test

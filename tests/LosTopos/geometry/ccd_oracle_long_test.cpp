@@ -1,5 +1,6 @@
 // Continuous collision detection against exact arithmetic: a hundred million queries, or as many as the environment
-// variable FOAMSIM_CCD_QUERIES says, a quarter of them in each set. The adversarial ones are of the families that
+// variable FOAMSIM_CCD_QUERIES says, a quarter of them in each set. FOAMSIM_CCD_FROM: so many of the stream are passed
+// over, so that a large number can be looked at in runs of their own. The adversarial ones are of the families that
 // ccd_queries.cpp names: on a lattice, coplanar, denormal, huge, scaled and others.
 #include <gtest/gtest.h>
 
@@ -11,10 +12,16 @@
 namespace lostopos::test {
 namespace {
 
-long queries_of_a_set() {
-  const char* asked = std::getenv("FOAMSIM_CCD_QUERIES");
-  const long all = asked != nullptr ? std::atol(asked) : 100000000;
-  return std::max(all / 4, 1000L);
+long number_from_environment(const char* name, long otherwise) {
+  const char* given = std::getenv(name);
+  return given != nullptr ? std::atol(given) : otherwise;
+}
+
+// The share that one of the four sets has of the queries.
+CheckResult check_share(Shape shape, bool adversarial, std::uint64_t seed) {
+  const long queries = number_from_environment("FOAMSIM_CCD_QUERIES", 100000000) / 4;
+  const long from = number_from_environment("FOAMSIM_CCD_FROM", 0) / 4;
+  return check_against_oracle(shape, adversarial, std::max(queries, 1000L), seed, std::max(from, 0L));
 }
 
 void expect_sound(const CheckResult& result) {
@@ -28,25 +35,25 @@ void expect_sound(const CheckResult& result) {
 }
 
 TEST(CcdOracleLong, RandomVertexTriangle) {
-  const CheckResult result = check_against_oracle(Shape::vertex_triangle, false, queries_of_a_set(), 11);
+  const CheckResult result = check_share(Shape::vertex_triangle, false, 11);
   expect_sound(result);
   EXPECT_LT(result.false_hit_rate(), 0.01);
   EXPECT_LE(10000 * result.early, result.exact_hits);
 }
 
 TEST(CcdOracleLong, RandomEdgeEdge) {
-  const CheckResult result = check_against_oracle(Shape::edge_edge, false, queries_of_a_set(), 12);
+  const CheckResult result = check_share(Shape::edge_edge, false, 12);
   expect_sound(result);
   EXPECT_LT(result.false_hit_rate(), 0.01);
   EXPECT_LE(10000 * result.early, result.exact_hits);
 }
 
 TEST(CcdOracleLong, AdversarialVertexTriangle) {
-  expect_sound(check_against_oracle(Shape::vertex_triangle, true, queries_of_a_set(), 13));
+  expect_sound(check_share(Shape::vertex_triangle, true, 13));
 }
 
 TEST(CcdOracleLong, AdversarialEdgeEdge) {
-  expect_sound(check_against_oracle(Shape::edge_edge, true, queries_of_a_set(), 14));
+  expect_sound(check_share(Shape::edge_edge, true, 14));
 }
 
 }  // namespace

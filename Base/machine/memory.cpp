@@ -1,5 +1,9 @@
 #include "Base/machine/memory.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +23,13 @@ std::optional<double> available_memory() {
     if (words >> name >> kilobytes && name == "MemAvailable:") return 1024 * kilobytes;
   }
   return std::nullopt;
+}
+
+void give_back_large_blocks() {
+#ifdef __GLIBC__
+  constexpr int large = 1 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, large);  // as a constant: glibc raises it up to 32 MB with what is freed
+#endif
 }
 
 std::string bytes_in_words(double bytes) {

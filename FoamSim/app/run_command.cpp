@@ -3,6 +3,7 @@
 
 #include "Base/console/terminal.h"
 #include "Base/error.h"
+#include "Base/machine/memory.h"
 #include "FoamSim/app/commands.h"
 #include "FoamSim/app/scene_arguments.h"
 #include "FoamSim/app/session.h"
@@ -103,6 +104,7 @@ int run(const RunArguments& arguments, const Program& program) {
     Progress progress(resuming ? "resumed" : scene.name, given.quiet);
     RunHooks hooks = hooks_for(progress);
     hooks.interrupted = [&ranks] { return ranks.any(InterruptGuard::interrupted()); };
+    hooks.large = base::give_back_large_blocks;
     // Several processes stop together, between steps.
     if (ranks.size() > 1) hooks.interrupted_within = {};
     return run_scene(scene, settings, hooks);

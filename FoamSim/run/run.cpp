@@ -96,6 +96,11 @@ RunOutcome outcome_of(const SceneMotion& motion, lostopos::run::Outcome&& done, 
 
 namespace {
 
+void note_size(const lostopos::SizeEstimate& size, const base::OptionSet& options, const RunHooks& hooks) {
+  constexpr double share_of_limit = 0.5;
+  if (hooks.large && size.bytes > share_of_limit * lostopos::memory_limit(options)) hooks.large();
+}
+
 // What a user should know of a large scene before it is built.
 void look_at_size(const Scene& scene, const RunHooks& hooks) {
   constexpr double worth_a_word = 2e8;
@@ -105,6 +110,12 @@ void look_at_size(const Scene& scene, const RunHooks& hooks) {
   if (size->bytes > worth_a_word && hooks.warn)
     hooks.warn("about " + base::to_text(std::round(size->triangles)) + " triangles, which take " +
                base::bytes_in_words(size->bytes) + " of memory");
+  note_size(*size, scene.options, hooks);
+}
+
+lostopos::SizeEstimate size_of(const SceneMotion& motion) {
+  const Simulation& simulation = motion.simulation();
+  return estimated_size(motion.scene().options, simulation.mesh(), simulation.options().resolution);
 }
 
 }  // namespace
@@ -126,6 +137,7 @@ RunOutcome run_scene(const Scene& scene, const RunSettings& settings, const RunH
       resuming ? check_surface(motion.simulation()) : check_start(scene, motion.simulation(), motion.start());
   for (const std::string& note : notes)
     if (hooks.warn) hooks.warn(note);
+  note_size(size_of(motion), motion.scene().options, hooks);
   Plan plan{.last_step = last_step(settings.stop, motion)};
   if (settings.stop.until_rest) plan.at_rest = [&motion] { return motion.at_rest(); };
   const lostopos::run::Output output =

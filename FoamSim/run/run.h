@@ -55,6 +55,9 @@ struct RunHooks {
   std::function<bool()> interrupted_within = {};
   std::function<void(const std::string&)> warn = {};     ///< what to know before the first step
   std::function<void(long done, long of)> relaxed = {};  ///< after every step towards a relaxed start
+  /// Before the first step, where the run may take over half of its memory_limit; twice, when that is known before
+  /// there is a surface.
+  std::function<void()> large = {};
 };
 
 /// The options' bound on --until-rest, in characteristic times √(R³/σ) of the mean bubble.

@@ -10,7 +10,7 @@ using base::OptionSet;
 
 namespace {
 
-using Words = std::vector<std::string>;
+using base::Words;
 
 const Words damped{"surface_tension", "damping", "diffusion"};
 

@@ -12,7 +12,7 @@ using base::OptionSet;
 namespace {
 
 using Defaults = std::vector<std::pair<std::string, base::OptionValue>>;
-using Words = std::vector<std::string>;
+using base::Words;
 
 // Films held by wires that move so (see WireSpec), with what else the scene sets. The reference program's clock runs
 // twice as fast: its speeds are doubled here, its times halved.

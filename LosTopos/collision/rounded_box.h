@@ -51,7 +51,7 @@ class RoundedBox {
   friend class BoxQuery;
   // With the high corner's signs changed a box overlaps another where none of these is above what the other allows. The
   // fourth of each is not compared.
-  Float4 low_, minus_high_;
+  Float4 low_{}, minus_high_{};
 };
 
 /// A box to be compared with many rounded ones: most of them say themselves whether what they stand for overlaps it.

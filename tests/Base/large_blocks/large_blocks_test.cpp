@@ -1,5 +1,6 @@
 // A program of its own, and not under the sanitizers, whose memory is another.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <memory>
@@ -10,12 +11,12 @@
 namespace base {
 namespace {
 
-// Bytes of the process that are in memory (/proc/self/statm, in pages of 4096).
+// Bytes of the process that are in memory (/proc/self/statm, in pages).
 double resident_bytes() {
   std::ifstream file("/proc/self/statm");
   double size = 0, resident = 0;
   file >> size >> resident;
-  return 4096 * resident;
+  return static_cast<double>(::sysconf(_SC_PAGESIZE)) * resident;
 }
 
 // Large blocks come and go as a mesh's arrays do, each of another size, with small ones that stay between them.

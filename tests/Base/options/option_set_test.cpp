@@ -11,7 +11,7 @@
 namespace foamsim {
 namespace {
 
-using Words = std::vector<std::string>;
+using base::Words;
 
 base::OptionSet example() {
   return base::OptionSet({base::positive_number("dt", 0.01, "step, T"),

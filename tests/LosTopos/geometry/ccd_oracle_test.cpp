@@ -41,5 +41,14 @@ TEST(CcdOracle, AdversarialEdgeEdge) {
   expect_sound(check_against_oracle(Shape::edge_edge, true, sample, 4));
 }
 
+TEST(CcdOracle, ALaterPartIsThatOfTheWhole) {
+  constexpr long part = 1L << 15U;
+  const CheckResult whole = check_against_oracle(Shape::edge_edge, false, 2 * part, 5);
+  const CheckResult first = check_against_oracle(Shape::edge_edge, false, part, 5);
+  const CheckResult second = check_against_oracle(Shape::edge_edge, false, part, 5, part);
+  EXPECT_EQ(first.exact_hits + second.exact_hits, whole.exact_hits);
+  EXPECT_NE(first.exact_hits, second.exact_hits);
+}
+
 }  // namespace
 }  // namespace lostopos::test

@@ -1,6 +1,7 @@
 #include "FoamSim/sheet/bubble_volumes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "LosTopos/mesh/for_each_living.h"
 #include "LosTopos/mesh/measures.h"
@@ -32,18 +33,20 @@ std::map<Region, double> closed_bubbles(const SurfaceMesh& mesh) {
 }
 
 BubbleVolumes::BubbleVolumes(const SurfaceMesh& mesh, const std::map<Region, double>& wanted)
-    : mesh_(mesh), wanted_(static_cast<Eigen::Index>(wanted.size())) {
-  if (!wanted.empty()) rows_.assign(wanted.rbegin()->first.index() + std::size_t{1}, -1);
-  int next = 0;
+    : mesh_(mesh), rows_(mesh.triangle_slots()), wanted_(static_cast<Eigen::Index>(wanted.size())) {
+  std::vector<Region> regions;
   for (const auto& [region, volume] : wanted) {
-    wanted_[next] = volume;
-    rows_[region.index()] = next++;
+    wanted_[static_cast<Eigen::Index>(regions.size())] = volume;
+    regions.push_back(region);
   }
-}
-
-// −1 for a region that is none of them.
-int BubbleVolumes::row(Region r) const {
-  return r.index() < rows_.size() ? rows_[r.index()] : -1;
+  // No table by region: users number regions up to 2^31.
+  const auto row = [&regions](Region r) {
+    const auto found = std::ranges::lower_bound(regions, r);
+    return found != regions.end() && *found == r ? static_cast<int>(found - regions.begin()) : -1;
+  };
+  lostopos::for_each_triangle(mesh, [&](Triangle t) {
+    rows_[t.index()] = {row(mesh.labels(t).p), row(mesh.labels(t).q)};
+  });
 }
 
 Eigen::VectorXd BubbleVolumes::missing(std::span<const Vec3> x) const {
@@ -56,8 +59,9 @@ Eigen::VectorXd BubbleVolumes::missing(std::span<const Vec3> x) const {
   }
   for (Triangle t : mesh_.triangles()) {
     const double part = area_vector_at(mesh_, t, x).dot(x[mesh_.vertices(t)[0].index()] - from) / 3;
-    if (const int p = row(mesh_.labels(t).p); p >= 0) missing[p] -= part;
-    if (const int q = row(mesh_.labels(t).q); q >= 0) missing[q] += part;
+    const auto [p, q] = rows_[t.index()];
+    if (p >= 0) missing[p] -= part;
+    if (q >= 0) missing[q] += part;
   }
   return missing;
 }
@@ -75,8 +79,9 @@ BubbleVolumes::Star BubbleVolumes::star(Vertex v, std::span<const Vec3> x) const
   };
   for (Triangle t : mesh_.triangles(v)) {
     const Vec3 normal = area_vector_at(mesh_, t, x);
-    add(row(mesh_.labels(t).p), normal / 3);
-    add(row(mesh_.labels(t).q), -normal / 3);
+    const auto [p, q] = rows_[t.index()];
+    add(p, normal / 3);
+    add(q, -normal / 3);
     star.area += normal.norm() / 3;
   }
   return star;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
+#include <array>
 #include <functional>
 #include <map>
 #include <span>
@@ -27,7 +28,7 @@ std::map<lostopos::Region, double> closed_bubbles(const lostopos::SurfaceMesh& m
 /// much as the area A_v around them (a third of their triangles').
 class BubbleVolumes {
  public:
-  /// One row a bubble, in the order of the regions. Refers to the mesh.
+  /// One row a bubble, in the order of the regions. Refers to the mesh, whose elements stay as they are.
   BubbleVolumes(const lostopos::SurfaceMesh& mesh, const std::map<lostopos::Region, double>& wanted);
 
   Eigen::Index rows() const { return wanted_.size(); }
@@ -51,11 +52,10 @@ class BubbleVolumes {
     std::vector<std::pair<int, lostopos::Vec3>> gradients;
     double area = 0;
   };
-  int row(lostopos::Region r) const;
   Star star(lostopos::Vertex v, std::span<const lostopos::Vec3> x) const;
 
   const lostopos::SurfaceMesh& mesh_;
-  std::vector<int> rows_;  // by region; -1: none of these bubbles
+  std::vector<std::array<int, 2>> rows_;  // of both labels, by triangle slot; -1: none of these bubbles
   Eigen::VectorXd wanted_;
   std::vector<Star> stars_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "program.h"
+#include "tables.h"
 
 namespace foamsim::test {
 namespace {
@@ -69,6 +70,31 @@ TEST(Sizes, AreBoundedBeforeMemoryIsTaken) {
   refused("sphere --set n=2 --set resolution=1e-4", "triangles, which take");
   refused("doublebubble --set resolution=1e-4 --set memory_limit=2", "more than the limit of 2 GB");
   EXPECT_FALSE(fs::exists(scratch.path() / "run"));
+}
+
+// As a bubble of a mesh file is numbered by whoever made it.
+TEST(Sizes, OfRegionNumbersTakeNoMemory) {
+  const ScratchFolder scratch;
+  const auto bubble = [&](const std::string& region) {
+    std::ofstream(scratch / "bubble.ply")
+        << "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+           "element face 4\nproperty list uchar int vertex_indices\nproperty int region_a\nproperty int region_b\n"
+           "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+        << "3 0 2 1 " << region << " 0\n3 0 1 3 " << region << " 0\n3 1 2 3 " << region << " 0\n3 2 0 3 " << region
+        << " 0\n";
+    return scratch / "bubble.ply";
+  };
+  const auto metrics = [&](const std::string& region, const std::string& option) {
+    const std::string out = scratch / ("run-" + region + "-" + option);
+    const ProgramResult result =
+        run_foamsim("run " + bubble(region) + " --steps 2 --set resolution=0.3 --set " + option + " --out " + out,
+                    "ulimit -v 4000000;");
+    EXPECT_EQ(result.exit_code, 0) << option << ", region " << region << ": " << result.error;
+    return without_seconds(::test::read_file(out + "/metrics.csv"));
+  };
+  for (const char* option :
+       {"dynamics=vortex-sheet", "dynamics=conservative", "dynamics=relaxation", "effects+=volumes"})
+    EXPECT_EQ(metrics("1", option), metrics("2147483647", option)) << option;
 }
 
 TEST(Sizes, OfTextFilesAreBoundedBeforeTheyAreRead) {

@@ -49,9 +49,10 @@ std::optional<BlockLayout> read_layout(std::string_view encoded, std::endian ord
     if (packed > rest) return std::nullopt;
     rest -= packed;
     layout.packed.push_back(packed);
-    if (layout.of_block(i) > most_expansion * packed) return std::nullopt;
   }
   if (rest != 0) return std::nullopt;
+  for (std::size_t i = 0; i < blocks; ++i)
+    if (layout.of_block(i) > most_expansion * layout.packed[i]) return std::nullopt;
   return layout;
 }
 

@@ -55,6 +55,10 @@ void write_meshes(const fs::path& corpus) {
     const std::string kind(format.extension.substr(1));
     write_surface(file_in(corpus, kind, "bubbles" + std::string(format.extension)), two_bubbles());
   }
+  lostopos::SurfaceData several_blocks = two_bubbles();  // of 32 kB, which zlib makes a few bytes of
+  several_blocks.vertex_arrays = {{"zero", 1000, std::vector<double>(1000 * several_blocks.positions.size(), 0)}};
+  write_surface(file_in(corpus, "vtp", "blocks.vtp"), several_blocks);
+  write_surface(file_in(corpus, "vtu", "blocks.vtu"), several_blocks);
   write_rec(file_in(corpus, "rec", "tracker.rec"), two_bubbles(), lostopos::RecFlavour::Tracker);
   write_text(file_in(corpus, "ply", "ascii.ply"),
              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "

@@ -87,28 +87,34 @@ void write_texts(const fs::path& corpus) {
              "\"averaged\"]\n");
 }
 
-void write_checkpoint(const fs::path& corpus, const std::string& harness, const lostopos::run::Motion& motion,
-                      const lostopos::run::CheckpointFormat& format) {
+void write_checkpoint(const fs::path& corpus, const std::string& harness, const std::string& name,
+                      const lostopos::run::Motion& motion, const lostopos::run::CheckpointFormat& format) {
   nlohmann::json content;
   motion.save(content);
   const auto bytes = lostopos::run::checkpoint_bytes(format, content);
   const auto behind_the_head = lostopos::run::unsealed(bytes);
-  write_text(file_in(corpus, harness, "checkpoint"), {behind_the_head.begin(), behind_the_head.end()});
+  write_text(file_in(corpus, harness, name), {behind_the_head.begin(), behind_the_head.end()});
 }
 
 void write_checkpoints(const fs::path& corpus) {
   const auto file = lostopos::run::checkpoint_bytes(plain_checkpoint, {{"n", 1}, {"list", {0.5, "a", nullptr}}});
   write_text(file_in(corpus, "checkpoint_file", "checkpoint"), {file.begin(), file.end()});
-  foamsim::SceneMotion bubble(
-      foamsim::SceneMotion::beginning_of(small_scene("sphere", {"n=0", "dynamics=conservative"})));
-  bubble.step();
-  write_checkpoint(corpus, "checkpoint", bubble, foamsim::checkpoint_format());
+  const std::pair<const char*, foamsim::Scene> kinds[] = {
+      {"checkpoint", small_scene("sphere", {"n=0", "dynamics=conservative"})},
+      {"vortex_sheet", small_scene("sphere", {"n=0", "topology.enabled=true", "effects+=burst,volumes"})},
+      {"wire", small_scene("tworingspinching", {"n=12", "resolution=0.4", "wires=held: pull 0.05"})},
+      {"rod", small_scene("sheet", {"n=1", "dynamics=conservative"})}};
+  for (const auto& [name, kind] : kinds) {
+    foamsim::SceneMotion motion(foamsim::SceneMotion::beginning_of(kind));
+    motion.step();
+    write_checkpoint(corpus, "checkpoint", name, motion, foamsim::checkpoint_format());
+  }
   const auto& scene = multitracker::scene_by_name("rotation");
   multitracker::Origin origin{.scene = &scene, .options = multitracker::options_of(scene)};
   origin.options.set_assignment("subdivisions=0", "corpus");
   multitracker::Tracking tracking(std::move(origin));
   tracking.step();
-  write_checkpoint(corpus, "tracker_checkpoint", tracking, multitracker::checkpoint_format());
+  write_checkpoint(corpus, "tracker_checkpoint", "checkpoint", tracking, multitracker::checkpoint_format());
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "FoamSim/conservative/film_motion.h"
 #include "FoamSim/conservative/held_flux.h"
 #include "FoamSim/constraints/wire.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace {
 

@@ -9,8 +9,8 @@ install(TARGETS foamsim_program multitracker_program RUNTIME DESTINATION ${CMAKE
 install(DIRECTORY plots assets/scenes assets/sweeps DESTINATION ${CMAKE_INSTALL_DATADIR}/foamsim COMPONENT programs
         PATTERN __pycache__ EXCLUDE)
 
-install(TARGETS base console lostopos lostopos_run multitracker foamsim foamsim_studies foamsim_sweep foamsim_statistics
-                foamsim_render foamsim_web foamsim_app
+install(TARGETS base console lostopos lostopos_run multitracker foamsim_velocity foamsim_shapes foamsim foamsim_studies foamsim_sweep
+                foamsim_statistics foamsim_render foamsim_web foamsim_app
         EXPORT FoamSimTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 foreach(folder Base LosTopos MultiTracker FoamSim)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development

@@ -59,12 +59,18 @@ function(foamsim_sources target)
   endforeach()
 endfunction()
 
-# foamsim_add_library(target [PLAIN] SOURCES_IN folder_or_file...): a library with public headers found as
-# <Folder/sub/header.h>. PLAIN: it stands below what is precompiled.
+# foamsim_add_library(target [PLAIN] SOURCES_IN folder_or_file... [BUT_FOR folder...]): a library with public headers
+# found as <Folder/sub/header.h>. PLAIN: it stands below what is precompiled. BUT_FOR: subfolders that are libraries.
 function(foamsim_add_library target)
-  cmake_parse_arguments(L "PLAIN" "" "SOURCES_IN" ${ARGN})
+  cmake_parse_arguments(L "PLAIN" "" "SOURCES_IN;BUT_FOR" ${ARGN})
   add_library(${target} STATIC)
   foamsim_sources(${target} ${L_SOURCES_IN})
+  get_target_property(sources ${target} SOURCES)
+  foreach(folder ${L_BUT_FOR})
+    file(GLOB_RECURSE others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    list(REMOVE_ITEM sources ${others})
+  endforeach()
+  set_target_properties(${target} PROPERTIES SOURCES "${sources}")
   if(L_PLAIN)
     foamsim_configure_target(${target})
   else()

@@ -11,8 +11,8 @@
 #include "FoamSim/conservative/viscosity.h"
 #include "FoamSim/dynamics/driven_air.h"
 #include "FoamSim/dynamics/dynamics.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/direct.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {
 

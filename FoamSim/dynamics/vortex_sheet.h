@@ -2,8 +2,8 @@
 
 #include "FoamSim/dynamics/dynamics.h"
 #include "FoamSim/dynamics/integrator.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/pair_sums.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {
 

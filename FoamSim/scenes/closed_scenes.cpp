@@ -1,3 +1,4 @@
+#include "FoamSim/scenes/approach.h"
 #include "FoamSim/scenes/scene_families.h"
 #include "FoamSim/scenes/scene_sizes.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"

@@ -9,7 +9,7 @@
 
 #include "Base/error.h"
 #include "FoamSim/scenes/scene.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {

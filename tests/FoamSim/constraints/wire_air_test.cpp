@@ -11,7 +11,7 @@
 #include "FoamSim/effects/diffusion.h"
 #include "tests/FoamSim/constraints/made_wire.h"
 #include "tests/FoamSim/constraints/wired_film.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {

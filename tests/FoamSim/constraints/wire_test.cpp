@@ -10,10 +10,10 @@
 
 #include "Base/error.h"
 #include "FoamSim/effects/diffusion.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "tests/FoamSim/constraints/made_wire.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "LosTopos/surface_tracker.h"
 #include "tests/FoamSim/constraints/made_wire.h"
 

@@ -17,8 +17,8 @@
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/mesh/region_burst.h"
 #include "tests/FoamSim/conservative/film_system.h"
+#include "tests/FoamSim/film_parts.h"
 #include "tests/support/film_meshes.h"
-#include "tests/support/film_parts.h"
 
 namespace foamsim {
 namespace {

@@ -10,7 +10,7 @@
 #include "FoamSim/effects/diffusion.h"
 #include "FoamSim/metrics/metrics.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 
 namespace foamsim {
 namespace {

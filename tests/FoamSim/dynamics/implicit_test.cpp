@@ -16,7 +16,7 @@
 #include "FoamSim/scenes/shapes/solids.h"
 #include "FoamSim/sheet/velocity/direct.h"
 #include "LosTopos/shapes/solids.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 
 namespace foamsim {
 namespace {

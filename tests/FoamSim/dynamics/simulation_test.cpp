@@ -10,11 +10,11 @@
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
 #include "FoamSim/sheet/sheet_strength.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/measures.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 
 namespace foamsim {
 namespace {

@@ -9,10 +9,11 @@
 #include "FoamSim/dynamics/simulation_state.h"
 #include "FoamSim/effects/diffusion.h"
 #include "FoamSim/effects/growth.h"
+#include "FoamSim/scenes/approach.h"
 #include "FoamSim/scenes/scene.h"
 #include "FoamSim/scenes/shapes/two_bubbles.h"
 #include "LosTopos/error.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 
 namespace foamsim {
 namespace {

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "FoamSim/scenes/shapes/double_bubble.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 
 namespace foamsim {
 namespace {

@@ -11,7 +11,7 @@
 #include "FoamSim/sheet/pressure/edge_angle.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
 #include "LosTopos/mesh/measures.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 
 namespace foamsim {
 namespace {

@@ -8,7 +8,7 @@
 #include "FoamSim/metrics/rest_detector.h"
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {

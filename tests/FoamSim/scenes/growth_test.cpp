@@ -11,7 +11,7 @@
 #include "FoamSim/scenes/shapes/solids.h"
 #include "LosTopos/mesh/air_side.h"
 #include "LosTopos/mesh/audit.h"
-#include "tests/support/film_parts.h"
+#include "tests/FoamSim/film_parts.h"
 
 namespace foamsim {
 namespace {

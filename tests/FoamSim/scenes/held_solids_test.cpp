@@ -4,8 +4,8 @@
 #include "FoamSim/constraints/fixed_frame.h"
 #include "FoamSim/scenes/scene.h"
 #include "LosTopos/io/rec.h"
+#include "tests/FoamSim/film_parts.h"
 #include "tests/support/film_meshes.h"
-#include "tests/support/film_parts.h"
 #include "tests/support/scratch_folder.h"
 
 namespace foamsim {

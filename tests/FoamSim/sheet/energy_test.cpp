@@ -10,8 +10,8 @@
 #include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/scenes/shapes/solids.h"
 #include "FoamSim/sheet/region_constants.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "LosTopos/mesh/measures.h"
 
 namespace foamsim {

@@ -10,8 +10,8 @@
 #include "FoamSim/sheet/pressure/curvature.h"
 #include "FoamSim/sheet/pressure/edge_angle.h"
 #include "FoamSim/sheet/pressure/vertex_area/registry.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 #include "FoamSim/sheet/velocity/registry.h"
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
 #include "tests/support/sample_meshes.h"
 
 namespace foamsim {

@@ -12,13 +12,13 @@
 #include <random>
 
 #include "Base/error.h"
-#include "FoamSim/scenes/scene.h"
-#include "FoamSim/scenes/shapes/double_bubble.h"
 #include "FoamSim/sheet/velocity/direct.h"
 #include "FoamSim/sheet/velocity/tree/chebyshev.h"
 #include "FoamSim/sheet/velocity/tree/tree.h"
 #include "LosTopos/mesh/measures.h"
 #include "LosTopos/shapes/solids.h"
+#include "LosTopos/shapes/sphere_layout.h"
+#include "LosTopos/shapes/voronoi_foam.h"
 
 namespace foamsim {
 namespace {
@@ -47,10 +47,8 @@ Sheet sheet_of(const SurfaceMesh& mesh) {
   return problem;
 }
 
-SurfaceMesh foam() {
-  Scene scene = built_in_scene("growth");
-  scene.options.set_assignment("spheres=27", "test");
-  return build_surface(scene);
+SurfaceMesh spheres() {
+  return lostopos::sphere_meshes(lostopos::sphere_layout({.spheres = 27}));
 }
 
 Sheet flat_sheet() {
@@ -222,8 +220,9 @@ TEST_P(TreeSumOn, HasTheSameBitsWhateverItHasSummedBefore) {
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, TreeSumOn,
                          testing::Values(Named{"sphere", [] { return sheet_of(lostopos::icosphere(4)); }},
-                                         Named{"double_bubble", [] { return sheet_of(double_bubble(32)); }},
-                                         Named{"foam", [] { return sheet_of(foam()); }},
+                                         Named{"spheres", [] { return sheet_of(spheres()); }},
+                                         Named{"foam",
+                                               [] { return sheet_of(lostopos::voronoi_foam({.subdivisions = 2})); }},
                                          Named{"flat_sheet", flat_sheet}),
                          [](const auto& info) { return std::string(info.param.name); });
 
@@ -270,7 +269,7 @@ TEST(TreeAccuracy, TakesMoreForLess) {
 }
 
 TEST(AutomaticSum, IsDirectForFewAndByTreeForMany) {
-  const Sheet few = sheet_of(double_bubble(12)), many = sheet_of(double_bubble(48));
+  const Sheet few = sheet_of(lostopos::icosphere(2)), many = sheet_of(lostopos::icosphere(4));
   for (const Sheet* problem : {&few, &many}) {
     const std::vector<Vec3> targets(10, Vec3(0.1, 0.2, 0.3));
     std::vector<Vec3> automatic(10), direct(10), tree(10);
@@ -291,7 +290,7 @@ TEST(AutomaticSum, IsDirectForFewAndByTreeForMany) {
   EXPECT_GT(few_for_pairs({}), many.sources.size());
   EXPECT_EQ(potential(TreePairSums({.direct_where_few = true}, Precision::doubles), many),
             potential(DirectPairSums(), many));
-  const Sheet large = sheet_of(double_bubble(72));
+  const Sheet large = sheet_of(lostopos::icosphere(5));
   EXPECT_LT(few_for_pairs({}), large.sources.size());
   EXPECT_EQ(potential(TreePairSums({.direct_where_few = true}, Precision::doubles), large),
             potential(TreePairSums({}, Precision::doubles), large));

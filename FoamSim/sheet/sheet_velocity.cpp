@@ -1,4 +1,4 @@
-#include "FoamSim/sheet/velocity/sheet_velocity.h"
+#include "FoamSim/sheet/sheet_velocity.h"
 
 #include <algorithm>
 

@@ -77,7 +77,7 @@ function(foamsim_add_library target)
     foamsim_configure_target(${target} PRECOMPILED library_headers)
   endif()
   if(FOAMSIM_FUZZ)
-    # As -fsanitize=fuzzer-no-link, which would not let tests share precompiled headers.
+    # As -fsanitize=fuzzer-no-link, which refuses precompiled headers that are made without it.
     target_compile_options(${target} PRIVATE -fsanitize-coverage=inline-8bit-counters,indirect-calls,trace-cmp,pc-table)
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>

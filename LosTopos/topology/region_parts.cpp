@@ -55,6 +55,13 @@ double enclosed(const SurfaceMesh& mesh, std::span<const Triangle> boundary, Reg
   return sum;
 }
 
+// Of the largest ball in a tetrahedron that encloses a sixth of `volume` (L).
+double inscribed_diameter(const SurfaceMesh& mesh, std::span<const Triangle> boundary, double volume) {
+  double whole_area = 0;
+  for (Triangle t : boundary) whole_area += area(mesh, t);
+  return volume / whole_area;
+}
+
 }  // namespace
 
 RegionShape region_shape(const SurfaceMesh& mesh, Region region) {
@@ -83,7 +90,7 @@ RegionShape region_shape(const SurfaceMesh& mesh, Region region) {
   return shape;
 }
 
-std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double largest) {
+std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, const SmallParts& small) {
   std::vector<RegionPart> parts;
   PartWalk walk(mesh);
   std::vector<Triangle> boundary;
@@ -92,10 +99,13 @@ std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double large
     for (Region r : {labels.p, labels.q}) {
       if (!walk.is_new(t, r)) continue;
       const Box box = walk.collect(t, r, boundary);
-      if (!((box.high - box.low).norm() < largest)) continue;
+      const bool is_short = (box.high - box.low).norm() < small.diagonal;
+      if (!is_short && boundary.size() != 4) continue;
       RegionPart part{r, boundary, {}, 0.5 * (box.low + box.high)};
+      const double volume = enclosed(mesh, boundary, r, part.centre);
       // Seen from outside, a bubble's boundary is one of the region around it: that one is not small.
-      if (!(enclosed(mesh, boundary, r, part.centre) > 0)) continue;
+      if (!(volume > 0)) continue;
+      if (!is_short && !(inscribed_diameter(mesh, boundary, volume) < small.thickness)) continue;
       std::ranges::sort(part.boundary);
       for (Triangle u : boundary)
         part.neighbours.push_back(mesh.labels(u).p == r ? mesh.labels(u).q : mesh.labels(u).p);

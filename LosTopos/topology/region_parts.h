@@ -14,9 +14,14 @@ struct RegionPart {
   Vec3 centre = Vec3::Zero();      ///< of its box, L
 };
 
-/// The parts whose boxes have a diagonal shorter than `largest` (L), ordered by their first triangle. Pieces of
-/// boundary that share an edge are one part.
-std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, double largest);
+/// What is too small to be a part of a region, in L.
+struct SmallParts {
+  double diagonal = 0;  ///< a box with one shorter than this
+  /// A tetrahedron, which has no smaller boundary to change to, that no ball of this diameter fits into.
+  double thickness = 0;
+};
+/// The parts that are too small, ordered by their first triangle. Pieces of boundary that share an edge are one part.
+std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, const SmallParts& small);
 
 /// What the boundary of a region looks like as a whole. Pieces of it that share an edge are one.
 struct RegionShape {

@@ -19,7 +19,8 @@ struct TopologyOptions {
   double merge_distance = 0.1;   ///< surfaces nearer than this are joined (0.02 for plain tracking)
   double merge_edge = 0;         ///< edges shorter than this are merged; 0: half the merge distance
   double pull_apart = 0.1;       ///< distance that a separation opens
-  double smallest_region = 0.5;  ///< a region that fits into a box with this diagonal vanishes
+  /// A region that fits into a box with this diagonal vanishes; so does a tetrahedron thinner than `merge_distance`.
+  double smallest_region = 0.5;
   SeparationRule separation = SeparationRule::area;
 
   /// How often a pass looks again at what its own operations have made, for each kind of operation.

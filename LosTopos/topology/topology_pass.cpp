@@ -226,8 +226,8 @@ bool TopologyPass::collapse_region(Region region, std::vector<Triangle> boundary
 
 void TopologyPass::collapse_small_regions() {
   const base::TimedScope timed(statistics_[TopologyOperation::region_collapse].seconds);
-  const double largest = options_.smallest_region * c_.options.target_edge;
-  for (RegionPart& part : small_region_parts(c_.mesh, largest)) {
+  const SmallParts small{.diagonal = options_.smallest_region * c_.options.target_edge, .thickness = merge_distance_};
+  for (RegionPart& part : small_region_parts(c_.mesh, small)) {
     std::erase_if(part.boundary, [&](Triangle t) { return !c_.mesh.alive(t) || !c_.mesh.labels(t).has(part.region); });
     if (part.boundary.empty()) continue;
     std::vector<Region> regions = part.neighbours;

@@ -9,6 +9,7 @@
 #include "LosTopos/shapes/solids.h"
 #include "LosTopos/shapes/voronoi_foam.h"
 #include "LosTopos/surface_tracker.h"
+#include "LosTopos/topology/region_parts.h"
 #include "tests/LosTopos/remeshing/patches.h"
 #include "tests/LosTopos/topology/clusters.h"
 
@@ -119,6 +120,54 @@ TEST_P(Pebble, VanishesWithoutATrace) {
   EXPECT_NEAR(total_area(tracker.mesh()), area_without, 1e-12);
 }
 INSTANTIATE_TEST_SUITE_P(InAirAndInABubble, Pebble, testing::Values(Vec3(1.5, 0, 0.5), Vec3(0.5, 0.5, 0.5)));
+
+// Two bubbles with a pocket of air in the wall between them: a tetrahedron as thick as given, 0.8 long and 0.3 wide.
+SurfaceMesh wall_with_pocket(double thickness) {
+  SurfaceMesh mesh;
+  const double z = 0.5 * thickness;
+  std::array<Vertex, 4> rim = {mesh.add_vertex({0.4, 0, z}), mesh.add_vertex({0, 0.15, -z}),
+                               mesh.add_vertex({-0.4, 0, z}), mesh.add_vertex({0, -0.15, -z})};
+  std::array<Vertex, 4> edge = {mesh.add_vertex({1, -1, 0}), mesh.add_vertex({1, 1, 0}), mesh.add_vertex({-1, 1, 0}),
+                                mesh.add_vertex({-1, -1, 0})};
+  const Vertex top = mesh.add_vertex({0, 0, 1}), bottom = mesh.add_vertex({0, 0, -1});
+  const Region above(1), below(2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    mesh.add_triangle(rim[i], edge[j], rim[j], {below, above});
+    mesh.add_triangle(rim[i], edge[i], edge[j], {below, above});
+    mesh.add_triangle(edge[i], edge[j], top, {above, air});
+    mesh.add_triangle(edge[i], edge[j], bottom, {air, below});
+  }
+  mesh.add_triangle(rim[0], rim[1], rim[2], {air, above});
+  mesh.add_triangle(rim[0], rim[2], rim[3], {air, above});
+  mesh.add_triangle(rim[0], rim[1], rim[3], {below, air});
+  mesh.add_triangle(rim[1], rim[2], rim[3], {below, air});
+  return mesh;
+}
+
+std::size_t air_pockets_after_a_look(double thickness) {
+  SurfaceMesh mesh = wall_with_pocket(thickness);
+  const std::vector<RegionVolume> before = region_volumes(mesh);
+  EXPECT_EQ(region_shape(mesh, air).pockets, 1u);
+  TrackerOptions options;
+  options.resolution = 1;
+  options.topology.enabled = true;
+  options.topology.separate = options.topology.snap = false;
+  options.remeshing = false;
+  SurfaceTracker tracker(std::move(mesh), options);
+  tracker.change_topology();
+  EXPECT_EQ(audit(tracker.mesh()).text(), "clean");
+  const std::vector<RegionVolume> after = region_volumes(tracker.mesh());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after.at(i).volume, before[i].volume, thickness);
+  return region_shape(tracker.mesh(), air).pockets;
+}
+
+// Too long for a region that fits into a small box, but thinner than films that are joined when they are so near.
+TEST(Topology, AFlatPocketBetweenTwoBubblesCloses) {
+  EXPECT_EQ(air_pockets_after_a_look(1e-4), 0u);
+  EXPECT_EQ(air_pockets_after_a_look(0.05), 0u);
+  EXPECT_EQ(air_pockets_after_a_look(0.5), 1u);
+}
 
 // One cell of a foam, shrunk: its neighbours close the place.
 TEST(Topology, ACellOfAFoamVanishes) {

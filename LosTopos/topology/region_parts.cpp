@@ -2,11 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 #include <span>
 
 #include "Base/lists/erase_repeated.h"
 #include "LosTopos/collision/broad_phase.h"
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/topology/region_surface.h"
+#include "LosTopos/topology/wide_tunnels.h"
 
 namespace lostopos {
 namespace {
@@ -66,28 +69,27 @@ double inscribed_diameter(const SurfaceMesh& mesh, std::span<const Triangle> bou
 
 RegionShape region_shape(const SurfaceMesh& mesh, Region region) {
   RegionShape shape;
-  PartWalk walk(mesh);
-  std::vector<Triangle> boundary;
-  std::vector<char> of_piece(mesh.triangle_slots(), 0);
-  for (Triangle t : mesh.triangles()) {
-    if (!mesh.labels(t).has(region) || !walk.is_new(t, region)) continue;
-    const Box box = walk.collect(t, region, boundary);
-    const bool is_pocket = enclosed(mesh, boundary, region, 0.5 * (box.low + box.high)) > 0;
+  for (const RegionSurface::Piece& piece : RegionSurface(mesh, region).pieces(mesh)) {
+    const bool is_pocket = piece.volume > 0;
     ++(is_pocket ? shape.pockets : shape.pieces);
-    if (is_pocket) shape.largest_pocket = std::max(shape.largest_pocket, (box.high - box.low).norm());
-    if (!is_pocket)
-      for (Triangle u : boundary) of_piece[u.index()] = 1;
+    if (is_pocket)
+      shape.largest_pocket = std::max(shape.largest_pocket, piece.volume);
+    else
+      shape.tunnels += piece.genus;
   }
-  const auto bounds = [&](const auto& list) {
-    return std::ranges::any_of(list, [&](Triangle t) { return of_piece[t.index()] != 0; });
-  };
-  std::ptrdiff_t characteristic = std::ranges::count(of_piece, 1);
-  for (Edge e : mesh.edges())
-    if (bounds(mesh.triangles(e))) --characteristic;
-  for (Vertex v : mesh.vertices())
-    if (bounds(mesh.triangles(v))) ++characteristic;
-  shape.tunnels = static_cast<double>(shape.pieces) - 0.5 * static_cast<double>(characteristic);
   return shape;
+}
+
+bool surrounds_one_solid(const SurfaceMesh& mesh, Region region, const Openings& least) {
+  const RegionSurface surface(mesh, region);
+  const auto pieces = surface.pieces(mesh);
+  const double smallest = std::numbers::pi / 6 * least.pocket * least.pocket * least.pocket;
+  const auto counts = [&](const RegionSurface::Piece& piece) {
+    return !(piece.volume >= 0 && piece.volume < smallest);
+  };
+  if (std::ranges::count_if(pieces, counts) != 1) return false;
+  const RegionSurface::Piece& outside = *std::ranges::find_if(pieces, counts);
+  return outside.volume < 0 && outside.closed && wide_tunnels(mesh, surface, outside, least.tunnel) == 0;
 }
 
 std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, const SmallParts& small) {

@@ -23,16 +23,23 @@ struct SmallParts {
 /// The parts that are too small, ordered by their first triangle. Pieces of boundary that share an edge are one part.
 std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, const SmallParts& small);
 
-/// What the boundary of a region looks like as a whole. Pieces of it that share an edge are one.
+/// What the boundary of a region looks like as a whole, as it is seen from within (see RegionSurface).
 struct RegionShape {
   std::size_t pieces = 0;     ///< of the boundary that do not have the region inside
   std::size_t pockets = 0;    ///< pieces that have
-  double largest_pocket = 0;  ///< the longest diagonal of a pocket's box, L
-  /// Through the pieces, where they touch themselves included: their genus, where they are surfaces; with a sign, since
-  /// touching in a vertex makes half a tunnel, and in an edge may take one away.
-  double tunnels = 0;
+  double largest_pocket = 0;  ///< its volume, L³
+  double tunnels = 0;         ///< through the pieces: their genus; where films end, see RegionSurface::Piece
 };
 /// Costs a walk over the mesh.
 RegionShape region_shape(const SurfaceMesh& mesh, Region region);
+
+/// What counts as an opening, L.
+struct Openings {
+  double pocket = 0;  ///< one with more than the volume of a ball of this diameter
+  double tunnel = 0;  ///< one not all of which is within this radius (see `wide_tunnels`)
+};
+/// Whether what the region surrounds is one solid without openings. A pit is none, however narrow its mouth. False for
+/// films that end somewhere.
+bool surrounds_one_solid(const SurfaceMesh& mesh, Region region, const Openings& least);
 
 }  // namespace lostopos

@@ -16,9 +16,9 @@ struct TopologyOptions {
   bool separate = true;          ///< T1: part regions that meet without a common film
   bool collapse_regions = true;  ///< let regions that are too small vanish
 
-  double merge_distance = 0.1;   ///< surfaces nearer than this are joined (0.02 for plain tracking)
-  double merge_edge = 0;         ///< edges shorter than this are merged; 0: half the merge distance
-  double pull_apart = 0.1;       ///< distance that a separation opens
+  double merge_distance = 0.1;  ///< surfaces nearer than this are joined (0.02 for plain tracking)
+  double merge_edge = 0;        ///< edges shorter than this are merged; 0: half the merge distance
+  double pull_apart = 0.1;      ///< distance that a separation opens
   /// A region that fits into a box with this diagonal vanishes; so does a tetrahedron thinner than `merge_distance`.
   double smallest_region = 0.5;
   SeparationRule separation = SeparationRule::area;

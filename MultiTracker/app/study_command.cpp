@@ -95,7 +95,7 @@ void add_study_command(base::Command& root, const Program&) {
   command.add(
       {.name = "--until-closed",
        .target = &a->options.until_closed,
-       .help = "end a run as soon as no gap or pocket of air is left between the spheres; failed without that"});
+       .help = "end a run as soon as no tunnel or pocket of air is left in the foam; one that ends before is open"});
   command.add(
       {.name = "--layout", .target = &a->options.layout, .help = "grid or random", .names = {"grid", "random"}});
   command.add({.name = "--set",

@@ -26,7 +26,6 @@ Metrics measure(const SurfaceMesh& mesh, const lostopos::TrackerStep& step,
   const lostopos::RegionShape air = lostopos::region_shape(mesh, lostopos::air);
   m.air_pockets = air.pockets;
   m.air_tunnels = air.tunnels;
-  m.air_closed = air.pieces == 1 && air.tunnels == 0 && air.largest_pocket < lostopos::mean_edge_length(mesh);
   m.volume_drift_max =
       start_volumes.empty() ? 0 : lostopos::largest_volume_drift(lostopos::region_volumes(mesh), start_volumes);
   m.motion_fraction = step.move.fraction;

@@ -18,8 +18,6 @@ struct Metrics {
   std::size_t junction_edges = 0;
   std::size_t air_pockets = 0;  ///< pieces of the air that films enclose
   double air_tunnels = 0;       ///< through what the air surrounds: see lostopos::RegionShape
-  /// What the air surrounds is one ball but for pockets smaller than a mean edge.
-  bool air_closed = false;
   double volume_drift_max = 0;  ///< see lostopos::largest_volume_drift
   double motion_fraction = 1;   ///< of the asked motion that was done
   std::size_t snaps = 0, edge_merges = 0, separations = 0, region_collapses = 0, incomplete_vertices = 0;

@@ -8,6 +8,8 @@
 #include "Base/error.h"
 #include "Base/io/csv_table.h"
 #include "Base/io/number_text.h"
+#include "LosTopos/mesh/measures.h"
+#include "LosTopos/topology/region_parts.h"
 #include "MultiTracker/run/metrics_csv.h"
 #include "MultiTracker/run/run.h"
 
@@ -85,6 +87,13 @@ RobustnessRun measured(const RobustnessTask& task, const Tracking& tracking, con
   return run;
 }
 
+// Where walls come to meet the air outside, pockets and tunnels of the size of a triangle are made all the time.
+bool air_is_closed(const Tracking& tracking) {
+  const lostopos::SurfaceMesh& mesh = tracking.mesh();
+  const double edge = lostopos::mean_edge_length(mesh);
+  return lostopos::surrounds_one_solid(mesh, lostopos::air, {.pocket = 0.5 * edge, .tunnel = 2 * edge});
+}
+
 void judge(const RobustnessTask& task, const Tracking& tracking, const RunOutcome& outcome, RobustnessRun& run) {
   run.verdict = Verdict::failed;
   if (outcome.end == RunEnd::failed) return;
@@ -93,7 +102,7 @@ void judge(const RobustnessTask& task, const Tracking& tracking, const RunOutcom
     run.message = "the audit finds: " + report.text();
     return;
   }
-  const bool closed = !task.until_closed || tracking.metrics().air_closed;
+  const bool closed = !task.until_closed || air_is_closed(tracking);
   run.verdict = closed ? Verdict::success : Verdict::open;
   if (!closed) {
     run.message = "voids are left after the last step: pockets ";
@@ -112,7 +121,7 @@ std::string make_robustness_run(const RobustnessTask& task, const std::function<
       resuming ? Tracking::resumed(task.folder, interruption)
                : std::make_unique<Tracking>(Origin{.scene = &scene_by_name("normal-flow"), .options = task.options},
                                             interruption);
-  const auto closed = [&](const Metrics& m) { return task.until_closed && m.air_closed; };
+  const auto closed = [&](const Metrics&) { return task.until_closed && air_is_closed(*tracking); };
   // One that was killed between its end and its row is not to go farther.
   const long last_step = closed(tracking->metrics()) ? tracking->metrics().step : task.options.whole("steps");
   const RunOutcome outcome = run(

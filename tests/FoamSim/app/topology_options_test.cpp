@@ -50,7 +50,7 @@ std::string repeatable(const std::string& metrics_file) {
   return text;
 }
 
-const std::string growing = "growth --set layout=random --set spheres=4 --set growth=2 --set frame_every=0";
+const std::string growing = "growth --set layout=random --set spheres=5 --set growth=2 --set frame_every=0";
 
 void run(const std::string& scene, const std::string& folder) {
   const ProgramResult result = run_foamsim("run " + scene + " --quiet --out " + folder);
@@ -203,14 +203,14 @@ TEST(TopologyOptionsOfScenes, EachOneHasItsEffect) {
   EXPECT_EQ(outcomes["topology.snap"].count("snap_count"), 0);
   EXPECT_EQ(outcomes["topology.separate"].count("t1_count"), 0);
   EXPECT_GT(outcomes["topology.separate"].count("incomplete_vertices"), 0);
-  EXPECT_EQ(base.count("regions"), 5);
+  EXPECT_EQ(base.count("regions"), 6);
   const Outcome& collapsed = outcomes["topology.smallest_region"];
   EXPECT_GT(collapsed.count("region_collapses"), 0);
   // Parts of regions (pockets of air, say) count, too.
-  EXPECT_LT(collapsed.count("regions"), 5);
-  EXPECT_GE(collapsed.count("region_collapses"), 5 - collapsed.count("regions"));
+  EXPECT_LT(collapsed.count("regions"), 6);
+  EXPECT_GE(collapsed.count("region_collapses"), 6 - collapsed.count("regions"));
   const Outcome kept = outcome_of("topology.smallest_region=12 --set topology.collapse_regions=false");
-  EXPECT_EQ(kept.count("regions"), 5);
+  EXPECT_EQ(kept.count("regions"), 6);
 }
 
 // A separation has to open more than what is merged.

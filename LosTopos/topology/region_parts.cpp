@@ -72,10 +72,7 @@ RegionShape region_shape(const SurfaceMesh& mesh, Region region) {
   for (const RegionSurface::Piece& piece : RegionSurface(mesh, region).pieces(mesh)) {
     const bool is_pocket = piece.volume > 0;
     ++(is_pocket ? shape.pockets : shape.pieces);
-    if (is_pocket)
-      shape.largest_pocket = std::max(shape.largest_pocket, piece.volume);
-    else
-      shape.tunnels += piece.genus;
+    if (!is_pocket) shape.tunnels += piece.genus;
   }
   return shape;
 }

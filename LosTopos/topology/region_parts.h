@@ -25,10 +25,9 @@ std::vector<RegionPart> small_region_parts(const SurfaceMesh& mesh, const SmallP
 
 /// What the boundary of a region looks like as a whole, as it is seen from within (see RegionSurface).
 struct RegionShape {
-  std::size_t pieces = 0;     ///< of the boundary that do not have the region inside
-  std::size_t pockets = 0;    ///< pieces that have
-  double largest_pocket = 0;  ///< its volume, L³
-  double tunnels = 0;         ///< through the pieces: their genus; where films end, see RegionSurface::Piece
+  std::size_t pieces = 0;   ///< of the boundary that do not have the region inside
+  std::size_t pockets = 0;  ///< pieces that have
+  double tunnels = 0;       ///< through the pieces: their genus; where films end, see RegionSurface::Piece
 };
 /// Costs a walk over the mesh.
 RegionShape region_shape(const SurfaceMesh& mesh, Region region);

@@ -22,8 +22,6 @@ class RegionSurface {
 
   std::size_t size() const { return sides_.size(); }
   Triangle triangle(std::size_t side) const { return sides_[side]; }
-  /// Whether the region is in front of the triangle's right-hand normal.
-  bool faces_forward(std::size_t side) const { return faces_forward_[side] != 0; }
   /// The half-edge on the other side of this one, or none where a film ends.
   std::uint32_t across(std::size_t half_edge) const { return across_[half_edge]; }
   /// The vertices of the surface, by corner, from 0; and how many there are.
@@ -49,7 +47,7 @@ class RegionSurface {
   void measure(const SurfaceMesh& mesh, Piece& piece, std::vector<char>& is_counted) const;
 
   std::vector<Triangle> sides_;
-  std::vector<char> faces_forward_;    // by side
+  std::vector<char> faces_forward_;    // by side: the region is in front of the triangle's right-hand normal
   std::vector<std::uint32_t> across_;  // by half-edge
   std::vector<std::uint32_t> vertex_;  // by corner
   std::size_t vertex_count_ = 0;

@@ -1,8 +1,10 @@
 #include "LosTopos/topology/wide_tunnels.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "Base/lists/disjoint_sets.h"
+#include "Base/lists/erase_repeated.h"
 
 namespace lostopos {
 namespace {
@@ -45,39 +47,34 @@ class Patch {
           for (const auto& [a, b] : surface_.joined_corners(mesh_, h)) corners.unite(place(a), place(b));
       }
     }
-    const double vertices = count(corners, [](std::size_t) { return true; });
-    std::vector<char> is_at_rim(3 * sides_.size(), 0);
-    base::DisjointSets loops = corners;
+    std::size_t vertices = 0;
+    for (std::size_t c = 0; c < 3 * sides_.size(); ++c) vertices += corners.find(c) == c ? 1 : 0;
+    return 1 - 0.5 * (static_cast<double>(vertices + sides_.size()) - edges + count_loops(corners));
+  }
+
+ private:
+  // Of the rim; it goes through each of its vertices once.
+  double count_loops(base::DisjointSets vertices) const {
+    std::vector<std::size_t> at_rim;
     for (Index s : sides_) {
       for (Index h = 3 * s; h < 3 * s + 3; ++h) {
         if (!is_rim(h)) continue;
         const std::size_t a = place(3 * s + (h + 1) % 3), b = place(3 * s + (h + 2) % 3);
-        loops.unite(a, b);
-        is_at_rim[a] = is_at_rim[b] = 1;
+        vertices.unite(a, b);
+        at_rim.push_back(a);
       }
     }
-    std::vector<char> has_rim(3 * sides_.size(), 0);
-    for (std::size_t c = 0; c < is_at_rim.size(); ++c)
-      if (is_at_rim[c] != 0) has_rim[loops.find(c)] = 1;
-    const double rims = count(loops, [&](std::size_t c) { return has_rim[c] != 0; });
-    return 1 - 0.5 * (vertices - edges + static_cast<double>(sides_.size()) + rims);
+    for (std::size_t& c : at_rim) c = vertices.find(c);
+    base::sort_unique(at_rim);
+    return static_cast<double>(at_rim.size());
   }
 
- private:
   bool is_within(Index s, const Vec3& centre, double radius) const {
     return std::ranges::all_of(mesh_.vertices(surface_.triangle(s)),
                                [&](Vertex v) { return (mesh_.position(v) - centre).norm() <= radius; });
   }
   bool is_rim(Index h) const { return surface_.across(h) == none || place_[surface_.across(h) / 3] == none; }
   std::size_t place(std::size_t corner) const { return 3 * std::size_t{place_[corner / 3]} + corner % 3; }
-
-  template <class Counts>
-  double count(base::DisjointSets& sets, const Counts& counts) const {
-    double sum = 0;
-    for (std::size_t c = 0; c < 3 * sides_.size(); ++c)
-      if (sets.find(c) == c && counts(c)) ++sum;
-    return sum;
-  }
 
   const SurfaceMesh& mesh_;
   const RegionSurface& surface_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "LosTopos/collision/box_overlap.h"
+#include "LosTopos/collision/grid_cell.h"
 #include "LosTopos/collision/rounded_box.h"
 
 namespace lostopos {
@@ -21,54 +22,32 @@ constexpr int base_level = 24;
 constexpr int levels_per_small_step = 3;
 // Cells of the base level over the median extent: a query then reads some five cells of a dozen triangles each.
 constexpr double cell_per_median_extent = 2.5;
-// Cell coordinates are clamped to this: far away, cells grow into one.
-constexpr double largest_cell_coordinate = 0x1p+40;
-
-std::int64_t cell_coordinate(double x, double inverse_cell) {
-  const double cell = std::floor(x * inverse_cell);
-  if (!(cell > -largest_cell_coordinate)) return -static_cast<std::int64_t>(largest_cell_coordinate);
-  return static_cast<std::int64_t>(std::min(cell, largest_cell_coordinate));
-}
 
 // Not less than the exact extent.
 double largest_extent(const Box& box) {
   return std::nextafter((box.high - box.low).maxCoeff(), infinity);
 }
 
-std::uint64_t mixed(std::uint64_t x) {
-  x ^= x >> 32;
-  x *= 0xd6e8feb86659fd93ULL;
-  x ^= x >> 32;
-  return x;
-}
-
-std::uint64_t cell_hash(int level, std::int64_t x, std::int64_t y, std::int64_t z) {
-  return mixed(static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ULL +
-               static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4fULL +
-               static_cast<std::uint64_t>(z) * 0x165667b19e3779f9ULL + static_cast<std::uint64_t>(level));
-}
-
 }  // namespace
 
 // A hashed grid with levels. A box is kept in one cell only, that of its low corner, on a level whose cells are at
 // least twice its size (but for the last level); a query looks at the cells that low corners of boxes which reach it
-// can be in. What a build finds in a cell lies together in memory, in single precision rounded outwards, so that most
-// boxes are dismissed, or found, without looking at their slot; what comes later is listed through the slots, until
-// there is so much of it that everything is laid out anew. Cells whose hashes coincide share a place, which costs time,
-// not correctness, for every box found is tested.
+// can be in. What a cell holds lies together in memory, in single precision rounded outwards, so that most boxes are
+// dismissed, or found, without looking at their slot: what a build finds in one piece, and what comes later where
+// something has gone or in chunks behind, until there is so much of it that everything is laid out anew. Cells whose
+// hashes coincide share a place, which costs time, not correctness, for every box found is tested.
 struct BroadPhase::Grid {
   struct Slot {
     Box box;
-    std::uint32_t next = none, previous = none;                    ///< in the cell's list; not for laid out boxes
     std::uint32_t next_in_level = none, previous_in_level = none;  ///< in no particular order
     std::uint32_t bucket = none;                                   ///< none: the triangle is not held
-    std::uint32_t entry = none;                                    ///< none: in the cell's list
+    std::uint32_t entry = none;
     std::int32_t level = 0;
   };
   // Of a bucket; its entries end where the next one's begin.
   struct Cell {
     std::uint32_t first_entry = 0;
-    std::uint32_t listed = none;  ///< head of the list
+    std::uint32_t chunk = none;  ///< the last one added; none: there is none
   };
   struct Level {
     std::size_t count = 0;
@@ -76,17 +55,23 @@ struct BroadPhase::Grid {
     double largest_extent = 0;  ///< of the boxes it has held since it was last empty
     double inverse_cell = 0;
   };
+  // What is laid out, by bucket, and then chunks of entries that came later, each with its predecessor in its bucket.
+  static constexpr std::uint32_t chunk_size = 4;
+  static constexpr int most_looked_at = 64;  ///< entries, for a free one: a crowded bucket would cost too much
 
   std::vector<Slot> slots;
-  std::vector<RoundedBox> entries;  ///< by bucket, with the number of their slot
+  std::vector<RoundedBox> entries;  ///< with the numbers of their slots
   std::vector<Cell> cells{1};       ///< of each bucket, and one more, the end of the last
-  std::size_t listed = 0;
+  std::vector<std::uint32_t> chunk_before;
   std::array<Level, level_count> levels;
   double base_extent = 0;  ///< the largest box of the base level
   std::size_t held = 0;
 
   std::size_t buckets() const { return cells.size() - 1; }
   bool holds(std::uint32_t slot) const { return slot < slots.size() && slots[slot].bucket != none; }
+  std::uint32_t laid_out() const { return cells.back().first_entry; }
+  std::uint32_t first_of_chunk(std::uint32_t chunk) const { return laid_out() + chunk_size * chunk; }
+  bool is_scattered() const { return entries.size() - laid_out() > 64 + held / 2; }
 
   int level_of(double extent) const {
     const double ratio = extent / base_extent;
@@ -122,24 +107,40 @@ struct BroadPhase::Grid {
     ++held;
   }
 
+  // Calls do_with(first, end) for every run of the bucket's entries, the latest chunk first, until it returns true.
+  template <class Do>
+  void for_runs(std::size_t bucket, const Do& do_with) const {
+    for (std::uint32_t chunk = cells[bucket].chunk; chunk != none; chunk = chunk_before[chunk])
+      if (do_with(first_of_chunk(chunk), first_of_chunk(chunk + 1))) return;
+    do_with(cells[bucket].first_entry, cells[bucket + 1].first_entry);
+  }
+
+  // One that something has left, or of a new chunk.
+  std::uint32_t free_entry(std::uint32_t bucket) {
+    std::uint32_t found = none;
+    int left = most_looked_at;
+    for_runs(bucket, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t i = first; i < end && found == none && left > 0; ++i, --left)
+        if (entries[i].is_clear()) found = i;
+      return found != none || left == 0;
+    });
+    if (found != none) return found;
+    const auto chunk = static_cast<std::uint32_t>(chunk_before.size());
+    chunk_before.push_back(std::exchange(cells[bucket].chunk, chunk));
+    entries.resize(entries.size() + chunk_size);
+    return first_of_chunk(chunk);
+  }
+
   void link(std::uint32_t index) {
     assign(index);
     Slot& slot = slots[index];
-    slot.previous = none;
-    slot.next = std::exchange(cells[slot.bucket].listed, index);
-    if (slot.next != none) slots[slot.next].previous = index;
-    ++listed;
+    slot.entry = free_entry(slot.bucket);
+    entries[slot.entry] = RoundedBox(slot.box, index);
   }
 
   void unlink(std::uint32_t index) {
     Slot& slot = slots[index];
-    if (slot.entry != none) {
-      entries[slot.entry].clear();
-    } else {
-      (slot.previous == none ? cells[slot.bucket].listed : slots[slot.previous].next) = slot.next;
-      if (slot.next != none) slots[slot.next].previous = slot.previous;
-      --listed;
-    }
+    entries[slot.entry].clear();
     Level& level = levels[static_cast<std::size_t>(slot.level)];
     (slot.previous_in_level == none ? level.first : slots[slot.previous_in_level].next_in_level) = slot.next_in_level;
     if (slot.next_in_level != none) slots[slot.next_in_level].previous_in_level = slot.previous_in_level;
@@ -148,10 +149,9 @@ struct BroadPhase::Grid {
     --held;
   }
 
-  // A laid out box that stays in its cell is changed in place.
+  // A box that stays in its cell is changed in place.
   bool change_in_place(std::uint32_t index, const Box& box) {
     Slot& slot = slots[index];
-    if (slot.entry == none) return false;
     const double extent = largest_extent(box);
     if (level_of(extent) != slot.level || bucket_of(slot.level, box.low) != slot.bucket) return false;
     Level& level = levels[static_cast<std::size_t>(slot.level)];
@@ -164,6 +164,7 @@ struct BroadPhase::Grid {
   // Puts all held boxes next to those of the same bucket.
   void lay_out() {
     cells.assign(cells.size(), {});
+    chunk_before.clear();
     for (const Slot& slot : slots)
       if (slot.bucket != none) ++cells[slot.bucket + 1].first_entry;
     for (std::size_t i = 1; i < cells.size(); ++i) cells[i].first_entry += cells[i - 1].first_entry;
@@ -178,7 +179,6 @@ struct BroadPhase::Grid {
     // Each bucket's first entry stands in the place of the next one's now.
     for (std::size_t i = 0; i + 1 < cells.size(); ++i) cells[i].first_entry = cells[i + 1].first_entry;
     cells.back().first_entry = static_cast<std::uint32_t>(held);
-    listed = 0;
   }
 
   // Sizes cells after the median of the held boxes (with `more` to come), and links them all anew.
@@ -208,15 +208,15 @@ struct BroadPhase::Grid {
   }
 
   void append_bucket(std::size_t bucket, const BoxQuery& query, std::vector<Triangle>& found) const {
-    for (std::uint32_t i = cells[bucket].first_entry; i < cells[bucket + 1].first_entry; ++i) {
-      const RoundedBox& entry = entries[i];
-      if (!query.may_meet(entry)) continue;
-      if (query.surely_meets(entry) || overlap(slots[entry.number()].box, query.box()))
-        found.emplace_back(entry.number());
-    }
-    for (std::uint32_t i = cells[bucket].listed; i != none; i = slots[i].next) {
-      if (overlap(slots[i].box, query.box())) found.emplace_back(i);
-    }
+    for_runs(bucket, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t i = first; i < end; ++i) {
+        const RoundedBox& entry = entries[i];
+        if (!query.may_meet(entry)) continue;
+        if (query.surely_meets(entry) || overlap(slots[entry.number()].box, query.box()))
+          found.emplace_back(entry.number());
+      }
+      return false;
+    });
   }
 
   void append_level(int index, const BoxQuery& query, std::vector<Triangle>& found) const {
@@ -255,7 +255,11 @@ struct BroadPhase::Grid {
   }
 
   void append_buckets(std::span<const std::size_t> some, const BoxQuery& query, std::vector<Triangle>& found) const {
-    for (std::size_t bucket : some) __builtin_prefetch(entries.data() + cells[bucket].first_entry);
+    for (std::size_t bucket : some) {
+      __builtin_prefetch(entries.data() + cells[bucket].first_entry);
+      if (const std::uint32_t chunk = cells[bucket].chunk; chunk != none)
+        __builtin_prefetch(entries.data() + first_of_chunk(chunk));
+    }
     for (std::size_t bucket : some) append_bucket(bucket, query, found);
   }
 };
@@ -290,7 +294,7 @@ void BroadPhase::set(Triangle t, const Box& box) {
     grid.unlink(t.index());
   }
   // Doubling keeps the cost of it constant for each triangle taken in, and so does waiting for a share of the boxes.
-  if (grid.buckets() <= grid.held || grid.listed > 64 + grid.held / 4) grid.rebuild(grid.held + 1);
+  if (grid.buckets() <= grid.held || grid.is_scattered()) grid.rebuild(grid.held + 1);
   grid.slots[t.index()].box = box;
   grid.link(t.index());
 }
@@ -319,7 +323,7 @@ const Box& BroadPhase::box(Triangle t) const {
 
 std::size_t BroadPhase::memory_bytes() const {
   return sizeof(Grid) + grid_->slots.capacity() * sizeof(Grid::Slot) + grid_->entries.capacity() * sizeof(RoundedBox) +
-         grid_->cells.capacity() * sizeof(Grid::Cell);
+         grid_->cells.capacity() * sizeof(Grid::Cell) + grid_->chunk_before.capacity() * sizeof(std::uint32_t);
 }
 
 Box triangle_box(const SurfaceMesh& mesh, Triangle t, std::span<const Vec3> positions, double margin) {

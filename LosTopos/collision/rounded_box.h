@@ -45,10 +45,32 @@ class RoundedBox {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     low_ = minus_high_ = Float4{infinity, infinity, infinity, 0};
   }
+  /// Encloses what the other does as well.
+  void unite(const RoundedBox& other) {
+    low_ = lesser(low_, other.low_);
+    minus_high_ = lesser(minus_high_, other.minus_high_);
+  }
+  /// False only where what was rounded does not overlap.
+  bool may_meet(const RoundedBox& other) const {
+    return first_three((low_ <= -other.minus_high_) & (other.low_ <= -minus_high_));
+  }
+  /// After clear() only: no length comes to infinity.
+  bool is_clear() const { return low_[0] == std::numeric_limits<float>::infinity(); }
   std::uint32_t number() const { return std::bit_cast<std::uint32_t>(low_[3]); }
 
  private:
   friend class BoxQuery;
+  using Mask = decltype(Float4{} <= Float4{});
+
+  static Float4 lesser(const Float4& a, const Float4& b) { return a < b ? a : b; }
+  static bool first_three(const Mask& mask) {
+#ifdef __SSE__
+    return (_mm_movemask_ps(std::bit_cast<__m128>(mask)) & 7) == 7;
+#else
+    return (mask[0] & mask[1] & mask[2]) != 0;
+#endif
+  }
+
   // With the high corner's signs changed a box overlaps another where none of these is above what the other allows. The
   // fourth of each is not compared.
   Float4 low_{}, minus_high_{};
@@ -68,24 +90,14 @@ class BoxQuery {
   const Box& box() const { return box_; }
   /// False only where the box that was rounded does not overlap.
   bool may_meet(const RoundedBox& rounded) const {
-    return first_three((rounded.low_ <= most_low_) & (rounded.minus_high_ <= most_minus_high_));
+    return RoundedBox::first_three((rounded.low_ <= most_low_) & (rounded.minus_high_ <= most_minus_high_));
   }
   /// True only where it does: its sides are less than one number of single precision within the rounded ones.
   bool surely_meets(const RoundedBox& rounded) const {
-    return first_three((rounded.low_ < sure_low_) & (rounded.minus_high_ < sure_minus_high_));
+    return RoundedBox::first_three((rounded.low_ < sure_low_) & (rounded.minus_high_ < sure_minus_high_));
   }
 
  private:
-  using Mask = decltype(Float4{} <= Float4{});
-
-  static bool first_three(const Mask& mask) {
-#ifdef __SSE__
-    return (_mm_movemask_ps(std::bit_cast<__m128>(mask)) & 7) == 7;
-#else
-    return (mask[0] & mask[1] & mask[2]) != 0;
-#endif
-  }
-
   Box box_;
   Float4 most_low_{}, most_minus_high_{};  // of boxes that may meet
   Float4 sure_low_{}, sure_minus_high_{};  // above those of boxes that surely do

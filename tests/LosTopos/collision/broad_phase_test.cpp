@@ -127,6 +127,35 @@ TEST(BroadPhase, BoxesAsLargeAsDoublesGo) {
   EXPECT_EQ(found, (std::vector{Triangle(1), Triangle(2), Triangle(3)}));
 }
 
+// All in one cell, which has to make room for what comes and use that of what has gone.
+TEST(BroadPhase, ManyBoxesInOnePlace) {
+  BroadPhase phase;
+  Held held;
+  std::mt19937 random(5);
+  const auto near_origin = [&random] {
+    Vec3 low;
+    for (int i = 0; i < 3; ++i) low[i] = 1 + std::uniform_real_distribution(0.0, 0.01)(random);
+    return Box{low, low + Vec3(1, 1, 1)};
+  };
+  constexpr std::uint32_t count = 1000;
+  for (std::uint32_t round = 0; round < 20; ++round) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Triangle t(i);
+      if ((i * 7 + round) % 3 == 0) {
+        phase.remove(t);
+        held.erase(t);
+      } else {
+        phase.set(t, held[t] = near_origin());
+      }
+    }
+    const Box box = near_origin();
+    std::vector<Triangle> found;
+    phase.query({box.low, box.low}, found);
+    ASSERT_EQ(found, brute_force(held, {box.low, box.low})) << "in round " << round;
+    ASSERT_LT(phase.memory_bytes(), 2000 + 500 * count);
+  }
+}
+
 TEST(BroadPhase, BuildsFromAMeshInMotionAndForgetsWhatItHeld) {
   const SurfaceMesh mesh = test::globe(1, 12);
   std::vector<Vec3> to(mesh.positions().begin(), mesh.positions().end());

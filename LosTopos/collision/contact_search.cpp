@@ -9,7 +9,6 @@
 #include "Base/lists/erase_repeated.h"
 #include "Base/parallel/for_each.h"
 #include "Base/timing/stopwatch.h"
-#include "LosTopos/collision/box_overlap.h"
 
 namespace lostopos {
 namespace {
@@ -81,12 +80,7 @@ FoundContacts ContactSearch::all() {
     begin_with_boxes();
     for (Triangle t : mesh_.triangles()) add_subject(t);
   }
-  double extent = 0;
-  for (Triangle t : subjects_) {
-    const Box swept = box(t);
-    extent = std::max(extent, (swept.high - swept.low).maxCoeff());
-  }
-  scale_.safe = std::max(scale_.proximity, distance_error * extent);
+  scale_.safe = std::max(scale_.proximity, distance_error * largest_extent());
   statistics_.broad_phase_seconds += watch.seconds();
   return search(false);
 }
@@ -99,15 +93,12 @@ void ContactSearch::begin_with_lists() {
     add_subject(t);
     note_owned(t);
   }
-  if (!subjects_.empty()) edge_boxes_.resize(mesh_.edge_slots());
-  for (Triangle t : subjects_)
-    for (Edge e : mesh_.edges(t)) grow_edge_box(e);
+  if (!subjects_.empty()) note_boxes();
 }
 
 void ContactSearch::begin_with_boxes() {
   for (Triangle t : mesh_.triangles()) note_owned(t);
-  edge_boxes_.resize(mesh_.edge_slots());
-  for (Edge e : mesh_.edges()) grow_edge_box(e);
+  note_boxes();
   broad_phase_.build(mesh_, motion_.starts(), motion_.ends(), margin_);
 }
 
@@ -142,28 +133,38 @@ void ContactSearch::note_owned(Triangle t) {
   owned_[t.index()] = static_cast<unsigned char>(owned);
 }
 
-void ContactSearch::grow_edge_box(Edge e) {
-  const auto& [a, b] = mesh_.vertices(e);
-  edge_boxes_[e.index()] = united(swept_box(motion_, a, margin_), swept_box(motion_, b, margin_));
+void ContactSearch::note_boxes() {
+  vertex_boxes_.resize(mesh_.vertex_slots());
+  for (Vertex v : mesh_.vertices()) vertex_boxes_[v.index()].enclose(swept_box(motion_, v, margin_));
 }
 
 Box ContactSearch::box(Triangle t) const {
-  const auto& [a, b, c] = mesh_.edges(t);
-  return united(edge_boxes_[a.index()], united(edge_boxes_[b.index()], edge_boxes_[c.index()]));
+  const auto& [a, b, c] = mesh_.vertices(t);
+  return united(swept_box(motion_, a, margin_), united(swept_box(motion_, b, margin_), swept_box(motion_, c, margin_)));
+}
+
+RoundedBox ContactSearch::rounded_box(std::span<const Vertex> vertices) const {
+  RoundedBox united = vertex_boxes_[vertices[0].index()];
+  for (Vertex v : vertices.subspan(1)) united.unite(vertex_boxes_[v.index()]);
+  return united;
+}
+
+// Of the boxes of the subjects.
+double ContactSearch::largest_extent() const {
+  double largest = 0;
+  for (Triangle t : subjects_) {
+    const Box swept = box(t);
+    largest = std::max(largest, (swept.high - swept.low).maxCoeff());
+  }
+  return largest;
 }
 
 void ContactSearch::update_boxes() {
-  if (!subjects_.empty()) {
-    for (Vertex v : motion_.changed())
-      for (Edge e : mesh_.edges(v)) grow_edge_box(e);
-  }
-  double extent = 0;
-  for (Triangle t : subjects_) {
-    const Box swept = box(t);
-    extent = std::max(extent, (swept.high - swept.low).maxCoeff());
-    if (!uses_lists_) broad_phase_.set(t, swept);
-  }
-  scale_.safe = std::max(scale_.safe, distance_error * extent);
+  if (!subjects_.empty())
+    for (Vertex v : motion_.changed()) vertex_boxes_[v.index()].enclose(swept_box(motion_, v, margin_));
+  if (!uses_lists_)
+    for (Triangle t : subjects_) broad_phase_.set(t, box(t));
+  scale_.safe = std::max(scale_.safe, distance_error * largest_extent());
 }
 
 // Whether to give up is decided between blocks, and so the same for any number of threads. They are small where there
@@ -233,44 +234,49 @@ void ContactSearch::search_block(std::size_t first, std::size_t last, bool chang
 void ContactSearch::collect(Triangle t, bool changed_only, Scratch& scratch) const {
   scratch.near.clear();
   if (!uses_lists_) broad_phase_.query_unsorted(box(t), scratch.near);
+  const RoundedBox box_of_t = rounded_box(mesh_.vertices(t));
   for (Triangle u : uses_lists_ ? near_->near(t) : std::span<const Triangle>(scratch.near)) {
     // Of two subjects the smaller looks at the other.
     if (u == t || (is_subject_[u.index()] && u < t)) continue;
-    pair_vertices(t, u, changed_only, scratch);
-    pair_vertices(u, t, changed_only, scratch);
-    pair_edges(t, u, changed_only, scratch);
+    const RoundedBox box_of_u = rounded_box(mesh_.vertices(u));
+    if (!box_of_t.may_meet(box_of_u)) continue;
+    pair_vertices(t, u, box_of_u, changed_only, scratch);
+    pair_vertices(u, t, box_of_t, changed_only, scratch);
+    pair_edges(t, u, box_of_u, changed_only, scratch);
   }
 }
 
 // The vertices that belong to t against u.
-void ContactSearch::pair_vertices(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const {
+void ContactSearch::pair_vertices(Triangle t, Triangle u, const RoundedBox& box_of_u, bool changed_only,
+                                  Scratch& scratch) const {
   const unsigned owned = owned_[t.index()] >> 3u;
   if (owned == 0) return;
   const auto& [a, b, c] = mesh_.vertices(u);
-  const Box box_of_u = box(u);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex v = mesh_.vertices(t)[i];
     if ((owned >> i & 1u) == 0 || v == a || v == b || v == c) continue;
+    if (!vertex_boxes_[v.index()].may_meet(box_of_u)) continue;
     if (changed_only && !motion_.is_changed(v) && !motion_.is_changed(a) && !motion_.is_changed(b) &&
         !motion_.is_changed(c))
       continue;
-    if (!overlap(swept_box(motion_, v, margin_), box_of_u)) continue;
     scratch.pairs.push_back({ElementPair::Kind::vertex_triangle, v.index(), u.index(), {v, a, b, c}});
   }
 }
 
 // The edges that belong to t against those that belong to u.
-void ContactSearch::pair_edges(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const {
-  const Box box_of_u = box(u);
+void ContactSearch::pair_edges(Triangle t, Triangle u, const RoundedBox& box_of_u, bool changed_only,
+                               Scratch& scratch) const {
   for (std::size_t i = 0; i < 3; ++i) {
+    if ((owned_[t.index()] >> i & 1u) == 0) continue;
     const Edge e = mesh_.edges(t)[i];
-    if ((owned_[t.index()] >> i & 1u) == 0 || !overlap(edge_boxes_[e.index()], box_of_u)) continue;
+    const RoundedBox box_of_e = rounded_box(mesh_.vertices(e));
+    if (!box_of_e.may_meet(box_of_u)) continue;
     const auto& [a, b] = mesh_.vertices(e);
     for (std::size_t j = 0; j < 3; ++j) {
+      if ((owned_[u.index()] >> j & 1u) == 0) continue;
       const Edge f = mesh_.edges(u)[j];
-      if ((owned_[u.index()] >> j & 1u) == 0 || !overlap(edge_boxes_[e.index()], edge_boxes_[f.index()])) continue;
       const auto& [c, d] = mesh_.vertices(f);
-      if (a == c || a == d || b == c || b == d) continue;
+      if (a == c || a == d || b == c || b == d || !box_of_e.may_meet(rounded_box(mesh_.vertices(f)))) continue;
       if (changed_only && !motion_.is_changed(a) && !motion_.is_changed(b) && !motion_.is_changed(c) &&
           !motion_.is_changed(d))
         continue;

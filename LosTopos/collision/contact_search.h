@@ -8,6 +8,7 @@
 #include "LosTopos/collision/motion.h"
 #include "LosTopos/collision/near_triangles.h"
 #include "LosTopos/collision/pair_test.h"
+#include "LosTopos/collision/rounded_box.h"
 #include "LosTopos/collision/safe_move.h"
 
 namespace lostopos {
@@ -44,16 +45,18 @@ class ContactSearch {
   void begin_with_boxes();
   void add_subject(Triangle t);
   void note_owned(Triangle t);
-  void grow_edge_box(Edge e);
+  void note_boxes();
   Box box(Triangle t) const;
+  RoundedBox rounded_box(std::span<const Vertex> vertices) const;
+  double largest_extent() const;
   void update_boxes();
   FoundContacts search(bool changed_only);
   struct Scratches;
   void search_block(std::size_t first, std::size_t last, bool changed_only, Scratches& scratches);
   void gather(const Scratches& scratches, FoundContacts& found);
   void collect(Triangle t, bool changed_only, Scratch& scratch) const;
-  void pair_vertices(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const;
-  void pair_edges(Triangle t, Triangle u, bool changed_only, Scratch& scratch) const;
+  void pair_vertices(Triangle t, Triangle u, const RoundedBox& box_of_u, bool changed_only, Scratch& scratch) const;
+  void pair_edges(Triangle t, Triangle u, const RoundedBox& box_of_u, bool changed_only, Scratch& scratch) const;
 
   const SurfaceMesh& mesh_;
   Motion& motion_;
@@ -64,9 +67,9 @@ class ContactSearch {
   base::Interruption interruption_;
   bool uses_lists_ = false;  // or else the broad phase
   BroadPhase broad_phase_;
-  std::vector<Box> edge_boxes_;
-  std::vector<unsigned char> owned_;  // by triangle: bits 0-2 its edges, 3-5 its vertices that belong to it
-  std::vector<Triangle> subjects_;    // whose pairs are looked at
+  std::vector<RoundedBox> vertex_boxes_;  // that vertices sweep; those of their edges and triangles are made of them
+  std::vector<unsigned char> owned_;      // by triangle: bits 0-2 its edges, 3-5 its vertices that belong to it
+  std::vector<Triangle> subjects_;        // whose pairs are looked at
   std::vector<char> is_subject_;
 };
 

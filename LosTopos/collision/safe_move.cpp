@@ -46,20 +46,21 @@ class SafeMove {
         motion_(mesh, predicted, held),
         search_(mesh, motion_, options.proximity_epsilon, statistics_, near, options.interruption) {}
 
-  // Looks at the whole motion and repels what is close at its start. True when nothing collides then.
-  bool begin(double fraction) {
-    motion_.restart(fraction);
-    const FoundContacts found = search_.all();
-    statistics_.proximities += found.proximities.size();
-    collisions_ = found.collisions;
-    too_many_ = found.too_many;
-    if (!too_many_ && impulses(found.proximities)) search_again();
-    return collisions_.empty() && !too_many_;
+  // Repels what is close at the start of the whole motion. True when nothing collides then.
+  bool is_free() {
+    const bool repelled = look_and_repel(1);
+    const bool hopeless = std::ranges::any_of(collisions_, [this](const Contact& contact) {
+      return std::ranges::none_of(contact.pair.vertices, [this](Vertex v) { return motion_.is_changed(v); });
+    });
+    if (hopeless) return false;
+    if (repelled) search_again();
+    return is_done();
   }
 
   // True when the motion's ends are verified; else collisions() says what is left.
   bool attempt(double fraction) {
-    if (begin(fraction)) return true;
+    if (look_and_repel(fraction)) search_again();
+    if (is_done()) return true;
     ImpactZones zones(motion_);
     return rounds(options_.impulse_passes, statistics_.impulse_seconds, [&] { return impulses(collisions_); }) ||
            rounds(options_.zone_passes, statistics_.zone_seconds,
@@ -76,6 +77,18 @@ class SafeMove {
   MoveStatistics& statistics() { return statistics_; }
 
  private:
+  bool is_done() const { return collisions_.empty() && !too_many_; }
+
+  // Looks at the whole motion and repels what is close at its start. Whether that has changed anything.
+  bool look_and_repel(double fraction) {
+    motion_.restart(fraction);
+    const FoundContacts found = search_.all();
+    statistics_.proximities += found.proximities.size();
+    collisions_ = found.collisions;
+    too_many_ = found.too_many;
+    return !too_many_ && impulses(found.proximities);
+  }
+
   // Responds and searches until nothing collides (true), nothing changes any more, or the passes are used up.
   template <class Respond>
   bool rounds(int passes, double& seconds, const Respond& respond) {
@@ -87,7 +100,7 @@ class SafeMove {
       if (!changed) break;
       search_again();
     }
-    return collisions_.empty() && !too_many_;
+    return is_done();
   }
 
   bool impulses(std::span<const Contact> contacts) {
@@ -191,7 +204,7 @@ MoveResult move_if_free(SurfaceMesh& mesh, std::span<const Vec3> predicted, std:
                         const MoveOptions& options, NearTriangles* near) {
   require_usable(mesh, predicted, held, options);
   SafeMove move(mesh, predicted, held, options, near);
-  if (!move.begin(1)) return {move.statistics(), 0};
+  if (!move.is_free()) return {move.statistics(), 0};
   move.finish(mesh);
   return {move.statistics(), 1};
 }

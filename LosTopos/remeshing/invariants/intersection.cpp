@@ -68,14 +68,15 @@ void IntersectionGuard::sift(const Box& box, const LeftOut& left_out, const Brin
     if (!gone && !shares_a_vertex(left_out.vertices, of_triangle))
       triangles_.push_back({t, triangle_box(mesh_, t, mesh_.positions(), 0)});
     for (Vertex v : of_triangle)
-      if (brings(t, mesh_.triangles(v)[0]) && !contains(left_out.vertices, v) && holds(box, mesh_.position(v)))
+      if (holds(box, mesh_.position(v)) && brings(t, mesh_.triangles(v)[0]) && !contains(left_out.vertices, v))
         vertices_.push_back({v, at_rest(mesh_.position(v))});
     for (Edge e : mesh_.edges(t)) {
       const auto& ends = mesh_.vertices(e);
-      if (!brings(t, mesh_.triangles(e)[0]) || left_out.has(e) || shares_a_vertex(left_out.vertices, ends)) continue;
       const Vec3 &a = mesh_.position(ends[0]), &b = mesh_.position(ends[1]);
       const Box edge_box{a.cwiseMin(b), a.cwiseMax(b)};
-      if (edge_box.overlaps(box)) edges_.push_back({e, ends, edge_box});
+      if (!edge_box.overlaps(box) || !brings(t, mesh_.triangles(e)[0])) continue;
+      if (left_out.has(e) || shares_a_vertex(left_out.vertices, ends)) continue;
+      edges_.push_back({e, ends, edge_box});
     }
   }
 }

@@ -28,7 +28,7 @@ Vec3 place_ahead(const Vec3& from, const Vec3& to, double slack) {
 }
 
 // So many triangles may wait for their lists while others are asked for theirs.
-constexpr std::size_t most_stale = 2000;
+constexpr std::size_t most_stale = 500;
 
 constexpr std::array<Vertex, 3> no_corners = {};
 
@@ -126,7 +126,11 @@ void NearTriangles::forget_neighbours(Triangle t) {
 }
 
 bool NearTriangles::append_around(const SurfaceMesh& mesh, Vertex v, std::vector<Triangle>& found) {
-  if (stale_.size() > most_stale) complete(mesh);
+  // A search in place of the lists costs about as much as a list that waits: these are made when as many have asked.
+  if (stale_.size() > most_stale) {
+    if (++turned_away_ < stale_.size()) return false;
+    complete(mesh);
+  }
   Box around = boxes_.box(mesh.triangles(v)[0]);
   for (Triangle t : mesh.triangles(v)) {
     if (is_stale_[t.index()]) return false;
@@ -141,6 +145,7 @@ bool NearTriangles::append_around(const SurfaceMesh& mesh, Vertex v, std::vector
 }
 
 void NearTriangles::complete(const SurfaceMesh& mesh) {
+  turned_away_ = 0;
   if (stale_.empty()) return;
   std::erase_if(stale_, [this](Triangle t) {
     const bool gone = corners_[t.index()] == no_corners;

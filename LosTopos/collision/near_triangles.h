@@ -47,8 +47,9 @@ class NearTriangles {
   /// The triangles of which an element may be nearer than `reach` to one of t's, elements that have a vertex in common
   /// aside; in no particular order. For when all lists are complete.
   std::span<const Triangle> near(Triangle t) const { return {near_[t.index()].data(), near_[t.index()].size()}; }
-  /// Appends those for all triangles at v, some perhaps more than once. False, with some of them, when one of v's
-  /// triangles has changed and has no list yet. Completes the lists from time to time.
+  /// Appends those for all triangles at v, some perhaps more than once. False, with some of them, when that would take
+  /// a search: one of v's triangles has changed and has no list yet, or so many others have that it has not paid yet to
+  /// make theirs.
   bool append_around(const SurfaceMesh& mesh, Vertex v, std::vector<Triangle>& found);
   /// The triangles that overlap `box` (their own boxes do), sorted, in `found` (cleared first).
   void overlapping(const SurfaceMesh& mesh, const Box& box, std::vector<Triangle>& found) const;
@@ -75,6 +76,7 @@ class NearTriangles {
   std::vector<List> near_;                      // by triangle, both ways
   std::vector<Triangle> stale_;                 // whose lists have to be made; some may be gone
   std::vector<char> is_stale_;
+  std::size_t turned_away_ = 0;  // from so many stale triangles, since the lists were complete
 };
 
 }  // namespace lostopos

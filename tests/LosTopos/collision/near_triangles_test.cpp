@@ -133,6 +133,37 @@ TEST(NearTriangles, FollowsOperations) {
   EXPECT_GT(found, 0U);
 }
 
+// While many lists are missing a search is said to be better, until so many have asked that it pays to make them.
+TEST(NearTriangles, MakesManyMissingListsWhenEnoughHaveAsked) {
+  SurfaceMesh mesh = flat_double_bubble(28);
+  const double h = mean_edge_length(mesh);
+  NearTriangles near({.reach = 0.5 * h, .slack = 0.1 * h});
+  near.follow(mesh, mesh.positions(), mesh.positions());
+  near.complete(mesh);
+  std::size_t changed = 0;
+  for (Triangle t : mesh.triangles()) {
+    const auto x = corners(mesh, t);
+    if (std::ranges::any_of(x, [](const Vec3& corner) { return corner[0] < 0.5; })) continue;
+    for (Vertex v : mesh.vertices(t)) mesh.set_position(v, 1.0001 * mesh.position(v) + Vec3(0.2 * h, 0, 0));
+    near.changed(mesh, t);
+    ++changed;
+  }
+  ASSERT_GT(changed, 600U);
+  Vertex left(0);
+  for (Vertex v : mesh.vertices())
+    if (mesh.position(v)[0] < mesh.position(left)[0]) left = v;
+  std::vector<Triangle> found;
+  std::size_t asked = 1;
+  for (; !near.append_around(mesh, left, found) && asked < 10 * changed; ++asked) found.clear();
+  EXPECT_GT(asked, changed / 2);
+  EXPECT_LT(asked, 4 * changed);
+  for (Triangle t : mesh.triangles(left))
+    for (Triangle u : near.near(t)) EXPECT_TRUE(lists(found, u));
+  std::size_t pairs = 0;
+  expect_all_near(mesh, near, pairs);
+  EXPECT_GT(pairs, 0U);
+}
+
 void expect_same(const std::vector<Contact>& a, const std::vector<Contact>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/length_range.h"
 #include "LosTopos/mesh/measures.h"
+#include "LosTopos/mesh/place_order.h"
 #include "LosTopos/remeshing/hold_transfer.h"
 #include "LosTopos/remeshing/limits.h"
 #include "LosTopos/remeshing/remesher.h"
@@ -28,11 +29,20 @@ NearTriangles::Margins margins_of(const TrackerOptions& options) {
           .slack = slack * options.resolution};
 }
 
+// A surface of so many triangles is not in the processor's caches as a whole, so that its order in memory matters.
+constexpr std::size_t large_surface = 50'000;
+
 bool has_many_gaps(const SurfaceMesh& mesh) {
   const auto gaps = [](std::size_t living, std::size_t slots) {
     return static_cast<double>(slots - living) > most_dead_slots * static_cast<double>(slots);
   };
   return gaps(mesh.vertex_count(), mesh.vertex_slots()) || gaps(mesh.triangle_count(), mesh.triangle_slots());
+}
+
+void put_in_order(SurfaceMesh& mesh) {
+  const bool large = mesh.triangle_count() >= large_surface;
+  if (has_many_gaps(mesh) || (large && is_scattered(mesh)))
+    mesh.compact(large ? SlotOrder::by_place : SlotOrder::as_before);
 }
 
 }  // namespace
@@ -199,7 +209,7 @@ RemeshStatistics SurfaceTracker::remesh() {
     Remesher remesher(mesh_, held_, options_.remesh, observers_.observers());
     statistics += remesher.run(&near_);
   }
-  if (has_many_gaps(mesh_)) mesh_.compact();
+  put_in_order(mesh_);
   return statistics;
 }
 

@@ -4,6 +4,7 @@
 
 #include "LosTopos/error.h"
 #include "LosTopos/mesh/audit_links.h"
+#include "LosTopos/mesh/place_order.h"
 #include "LosTopos/mesh/surface_mesh.h"
 
 namespace lostopos {
@@ -13,6 +14,17 @@ std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& old_slot_of
   std::vector<std::uint32_t> new_slot_of_old(old_slots, Vertex::invalid_index);
   for (std::uint32_t i = 0; i < old_slot_of_new.size(); ++i) new_slot_of_old[old_slot_of_new[i]] = i;
   return new_slot_of_old;
+}
+
+// By the least of their vertices' new slots.
+template <class Corners>
+void sort_by_first_vertex(std::vector<std::uint32_t>& slots, const std::vector<Corners>& vertices,
+                          const std::vector<std::uint32_t>& new_vertex) {
+  sort_slots(slots, [&](std::uint32_t slot) {
+    std::uint32_t first = Vertex::invalid_index;
+    for (Vertex v : vertices[slot]) first = std::min(first, new_vertex[v.index()]);
+    return first;
+  });
 }
 
 template <class T>
@@ -152,11 +164,16 @@ SurfaceMesh SurfaceMesh::from_state(const State& state) {
   return mesh;
 }
 
-void SurfaceMesh::compact() {
+void SurfaceMesh::compact(SlotOrder order) {
   const std::size_t nv = vertices_.slots(), ne = edges_.slots(), nt = triangles_.slots();
-  const auto old_vertex = vertices_.compact(), old_edge = edges_.compact(), old_triangle = triangles_.compact();
-  const auto new_vertex = inverse(old_vertex, nv), new_edge = inverse(old_edge, ne),
-             new_triangle = inverse(old_triangle, nt);
+  auto old_vertex = vertices_.compact(), old_edge = edges_.compact(), old_triangle = triangles_.compact();
+  if (order == SlotOrder::by_place) sort_by_place(old_vertex, positions_);
+  const auto new_vertex = inverse(old_vertex, nv);
+  if (order == SlotOrder::by_place) {
+    sort_by_first_vertex(old_edge, edge_vertices_, new_vertex);
+    sort_by_first_vertex(old_triangle, triangle_vertices_, new_vertex);
+  }
+  const auto new_edge = inverse(old_edge, ne), new_triangle = inverse(old_triangle, nt);
   gather(positions_, old_vertex);
   gather(vertex_edges_, old_vertex);
   gather(vertex_triangles_, old_vertex);

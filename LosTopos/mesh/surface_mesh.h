@@ -15,6 +15,11 @@
 
 namespace lostopos {
 
+enum class SlotOrder {
+  as_before,
+  by_place,  ///< what is near in space is near in memory, too
+};
+
 /// A labelled, non-manifold triangle mesh: films between regions, meeting at edges that any number of triangles share.
 ///
 /// Edges exist exactly as long as a triangle uses them; vertices live until they are removed. Slots of removed elements
@@ -150,8 +155,8 @@ class SurfaceMesh {
     edge_attributes_->carry(hook, *this, event);
     triangle_attributes_->carry(hook, *this, event);
   }
-  /// Closes the gaps that removed elements left and renumbers all handles in slot order; attributes follow.
-  void compact();
+  /// Closes the gaps that removed elements left and renumbers all handles; attributes follow.
+  void compact(SlotOrder order = SlotOrder::as_before);
   /// Bytes held on the heap, attributes included.
   std::size_t memory_bytes() const;
   ///@}

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "LosTopos/mesh/audit.h"
 #include "LosTopos/mesh/surface_mesh.h"
 #include "tests/support/sample_meshes.h"
 
@@ -43,7 +44,7 @@ TEST(Attribute, AReusedSlotStartsWithTheInitialValueAgain) {
   EXPECT_EQ(weight[again], 0.5);
 }
 
-TEST(Attribute, FollowsItsElementsThroughCompaction) {
+void expect_followed_through_compaction(SlotOrder order) {
   auto junction = test::triple_junction({120, 120, 120});
   SurfaceMesh& mesh = junction.mesh;
   auto place = mesh.add_vertex_attribute<Vec3>(Vec3::Zero());
@@ -65,7 +66,7 @@ TEST(Attribute, FollowsItsElementsThroughCompaction) {
     if (mesh.triangles(Vertex(i)).empty()) mesh.remove_vertex(Vertex(i));
   const std::size_t vertices = mesh.vertex_count(), edges = mesh.edge_count(), triangles = mesh.triangle_count();
   ASSERT_LT(edges, mesh.edge_slots());
-  mesh.compact();
+  mesh.compact(order);
   EXPECT_EQ(mesh.vertex_slots(), vertices);
   EXPECT_EQ(mesh.edge_slots(), edges);
   EXPECT_EQ(mesh.triangle_slots(), triangles);
@@ -73,6 +74,11 @@ TEST(Attribute, FollowsItsElementsThroughCompaction) {
   for (Vertex v : mesh.vertices()) EXPECT_EQ(place[v], mesh.position(v));
   for (Edge e : mesh.edges()) EXPECT_EQ(middle[e], middle_of(e));
   for (Triangle t : mesh.triangles()) EXPECT_EQ(centre[t], centre_of(t));
+  EXPECT_FALSE(audit(mesh, {.intersections = false, .closed_regions = false}).has(Defect::broken_incidence));
+}
+
+TEST(Attribute, FollowsItsElementsThroughCompaction) {
+  for (SlotOrder order : {SlotOrder::as_before, SlotOrder::by_place}) expect_followed_through_compaction(order);
 }
 
 TEST(Attribute, MovesWithItsMesh) {

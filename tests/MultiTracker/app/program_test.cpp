@@ -160,6 +160,18 @@ TEST(Interrupted, GoesOnToTheSameBits) {
   }
 }
 
+// Large enough to be put in order in memory on the way, which must not depend on where a run was resumed.
+TEST(LargeSurface, HasTheSameBitsWithAnyThreadsAndResumed) {
+  const ScratchFolder scratch;
+  const std::string scene = "run normal-flow --set spheres=165 --set layout=random --set step=0.2 --quiet";
+  const std::string whole = scratch / "whole", parts = scratch / "parts";
+  ASSERT_EQ(run_multitracker(scene + " --steps 4 --threads 1 --out " + whole).exit_code, 0);
+  ASSERT_EQ(run_multitracker(scene + " --steps 2 --threads 2 --out " + parts).exit_code, 0);
+  ASSERT_EQ(run_multitracker("run --resume " + parts + " --steps 4 --threads 2 --quiet").exit_code, 0);
+  for (const char* file : {"/frames/frame_000004.ply", "/volumes.csv", "/events.csv"})
+    EXPECT_TRUE(read_file(parts + file) == read_file(whole + file)) << file;
+}
+
 TEST(Interrupted, ByAKillGoesOnToTheSameBits) {
   const ScratchFolder scratch;
   const std::string scene = "run zalesak --set checkpoint_every=1 --steps 60 --quiet --force --out ";

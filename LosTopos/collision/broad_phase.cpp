@@ -71,7 +71,8 @@ struct BroadPhase::Grid {
   bool holds(std::uint32_t slot) const { return slot < slots.size() && slots[slot].bucket != none; }
   std::uint32_t laid_out() const { return cells.back().first_entry; }
   std::uint32_t first_of_chunk(std::uint32_t chunk) const { return laid_out() + chunk_size * chunk; }
-  bool is_scattered() const { return entries.size() - laid_out() > 64 + held / 2; }
+  std::size_t most_in_chunks() const { return 64 + held / 2; }
+  bool is_scattered() const { return entries.size() - laid_out() > most_in_chunks(); }
 
   int level_of(double extent) const {
     const double ratio = extent / base_extent;
@@ -168,6 +169,7 @@ struct BroadPhase::Grid {
     for (const Slot& slot : slots)
       if (slot.bucket != none) ++cells[slot.bucket + 1].first_entry;
     for (std::size_t i = 1; i < cells.size(); ++i) cells[i].first_entry += cells[i - 1].first_entry;
+    entries.reserve(held + most_in_chunks());
     entries.resize(held);
     // From behind, so that within a bucket slots rise.
     for (std::uint32_t i = static_cast<std::uint32_t>(slots.size()); i-- > 0;) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "Base/error.h"
 #include "Base/interruption.h"
@@ -67,15 +68,18 @@ std::string in_one_line(std::string text) {
 
 }  // namespace
 
-std::vector<std::uint8_t> checkpoint_bytes(const CheckpointFormat& format, const json& content) {
-  json value = content;
-  value["format"] = format.program + std::string(kind);
-  value["version"] = format.version;
-  return sealed(json::to_cbor(value));
+// A large surface is there once in `content` and once in the bytes, and no more often.
+std::vector<std::uint8_t> checkpoint_bytes(const CheckpointFormat& format, json content) {
+  content["format"] = format.program + std::string(kind);
+  content["version"] = format.version;
+  std::vector<std::uint8_t> bytes = room_for_head();
+  json::to_cbor(content, bytes);
+  seal(bytes);
+  return bytes;
 }
 
-void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const json& content) {
-  const std::vector<std::uint8_t> bytes = checkpoint_bytes(format, content);
+void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, json content) {
+  const std::vector<std::uint8_t> bytes = checkpoint_bytes(format, std::move(content));
   base::AtomicFile out(file, base::Durability::machine);
   out.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   out.commit();

@@ -20,9 +20,9 @@ using TakeCheckpoint = std::function<void(const nlohmann::json& content)>;
 
 /// The bytes of a checkpoint's file: `content`, an object, with its format as CBOR, behind a head with a checksum (see
 /// sealed_bytes.h).
-std::vector<std::uint8_t> checkpoint_bytes(const CheckpointFormat& format, const nlohmann::json& content);
+std::vector<std::uint8_t> checkpoint_bytes(const CheckpointFormat& format, nlohmann::json content);
 /// Writes them to `file`, atomically; they are on the disk then. Throws base::FileError, base::DiskError.
-void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, const nlohmann::json& content);
+void write_checkpoint(const std::filesystem::path& file, const CheckpointFormat& format, nlohmann::json content);
 
 /// Hands the content of a checkpoint to `take`, which builds from it all that can only be built from content that is
 /// sound. Throws base::InputError, one line that begins with `name`, when `bytes` are not a whole checkpoint of this

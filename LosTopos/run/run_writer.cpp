@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "Base/io/disk.h"
 #include "Base/io/write_error.h"
@@ -134,7 +135,7 @@ void RunWriter::write_checkpoint() {
   nlohmann::json content = nlohmann::json::object();
   motion_.save(content);
   wait_for_what_was_written();
-  run::write_checkpoint(folder_.checkpoint(), output_.checkpoint, content);
+  run::write_checkpoint(folder_.checkpoint(), output_.checkpoint, std::move(content));
   last_checkpoint_ = motion_.steps();
   checkpoint_interval_.written(begin, watch_.seconds());
 }

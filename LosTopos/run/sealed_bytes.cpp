@@ -32,12 +32,21 @@ std::uint32_t checksum_of(const Head& head, std::span<const std::uint8_t> conten
 
 }  // namespace
 
-std::vector<std::uint8_t> sealed(std::span<const std::uint8_t> content) {
+std::vector<std::uint8_t> room_for_head() {
+  return std::vector<std::uint8_t>(sizeof(Head));
+}
+
+void seal(std::vector<std::uint8_t>& bytes) {
+  const auto content = std::span<const std::uint8_t>(bytes).subspan(sizeof(Head));
   Head head{magic, head_version, 0, content.size()};
   head.checksum = checksum_of(head, content);
-  std::vector<std::uint8_t> bytes(sizeof(head) + content.size());
   std::memcpy(bytes.data(), &head, sizeof(head));
-  std::ranges::copy(content, bytes.begin() + sizeof(head));
+}
+
+std::vector<std::uint8_t> sealed(std::span<const std::uint8_t> content) {
+  std::vector<std::uint8_t> bytes = room_for_head();
+  bytes.insert(bytes.end(), content.begin(), content.end());
+  seal(bytes);
   return bytes;
 }
 

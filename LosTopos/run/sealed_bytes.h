@@ -6,8 +6,14 @@
 
 namespace lostopos::run {
 
-/// Puts a head before `content`: 8 bytes that say what it is, the version of the head, the length of the content, and a
-/// CRC-32 of version, length and content (in the machine's byte order).
+/// Room for a head, behind which content is to be appended.
+std::vector<std::uint8_t> room_for_head();
+
+/// Fills in the head: 8 bytes that say what it is, the version of the head, the length of the content, and a CRC-32 of
+/// version, length and content (in the machine's byte order).
+void seal(std::vector<std::uint8_t>& bytes);
+
+/// `content` behind such a head.
 std::vector<std::uint8_t> sealed(std::span<const std::uint8_t> content);
 
 /// Whether `bytes` begin as sealed ones do.

@@ -1,6 +1,7 @@
 #include "Python/bindings/session.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "Base/error.h"
 #include "FoamSim/run/start_checks.h"
@@ -94,7 +95,7 @@ void Session::set(const std::string& key, const py::handle& value) {
 void Session::save(const std::filesystem::path& checkpoint) const {
   nlohmann::json content;
   motion().save(content);
-  lostopos::run::write_checkpoint(checkpoint, checkpoint_format(), content);
+  lostopos::run::write_checkpoint(checkpoint, checkpoint_format(), std::move(content));
 }
 
 py::array Session::view(const py::dtype& type, const std::vector<py::ssize_t>& shape, const void* data,

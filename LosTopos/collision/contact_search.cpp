@@ -93,12 +93,13 @@ void ContactSearch::begin_with_lists() {
     add_subject(t);
     note_owned(t);
   }
-  if (!subjects_.empty()) note_boxes();
+  // Where there are many subjects, each would note the vertices that they have in common again.
+  if (!subjects_.empty()) note_boxes(3 * subjects_.size() > mesh_.vertex_count());
 }
 
 void ContactSearch::begin_with_boxes() {
   for (Triangle t : mesh_.triangles()) note_owned(t);
-  note_boxes();
+  note_boxes(true);
   broad_phase_.build(mesh_, motion_.starts(), motion_.ends(), margin_);
 }
 
@@ -133,9 +134,19 @@ void ContactSearch::note_owned(Triangle t) {
   owned_[t.index()] = static_cast<unsigned char>(owned);
 }
 
-void ContactSearch::note_boxes() {
+void ContactSearch::note_box(Vertex v) {
+  vertex_boxes_[v.index()].enclose(swept_box(motion_, v, margin_));
+}
+
+// Of all vertices, or of the subjects' alone: what subjects are near are subjects, too.
+void ContactSearch::note_boxes(bool of_all) {
   vertex_boxes_.resize(mesh_.vertex_slots());
-  for (Vertex v : mesh_.vertices()) vertex_boxes_[v.index()].enclose(swept_box(motion_, v, margin_));
+  if (of_all) {
+    for (Vertex v : mesh_.vertices()) note_box(v);
+  } else {
+    for (Triangle t : subjects_)
+      for (Vertex v : mesh_.vertices(t)) note_box(v);
+  }
 }
 
 Box ContactSearch::box(Triangle t) const {
@@ -161,7 +172,7 @@ double ContactSearch::largest_extent() const {
 
 void ContactSearch::update_boxes() {
   if (!subjects_.empty())
-    for (Vertex v : motion_.changed()) vertex_boxes_[v.index()].enclose(swept_box(motion_, v, margin_));
+    for (Vertex v : motion_.changed()) note_box(v);
   if (!uses_lists_)
     for (Triangle t : subjects_) broad_phase_.set(t, box(t));
   scale_.safe = std::max(scale_.safe, distance_error * largest_extent());

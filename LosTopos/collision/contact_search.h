@@ -45,7 +45,8 @@ class ContactSearch {
   void begin_with_boxes();
   void add_subject(Triangle t);
   void note_owned(Triangle t);
-  void note_boxes();
+  void note_box(Vertex v);
+  void note_boxes(bool of_all);
   Box box(Triangle t) const;
   RoundedBox rounded_box(std::span<const Vertex> vertices) const;
   double largest_extent() const;
